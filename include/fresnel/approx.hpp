@@ -1,0 +1,342 @@
+#pragma once
+
+// Approximations of Fresnel reflectance, each under the name its users know. All take cos_i in [0, 1], return
+// a reflectance in [0, 1], and are evaluated per colour channel. x below is 1 - cos_i.
+//
+// The largest error of each against the exact equations, and over what, is in its registry row (models.hpp),
+// where a test measures the same number.
+
+#include <fresnel/exact.hpp>
+#include <fresnel/geometry.hpp>
+#include <fresnel/number.hpp>
+
+namespace fresnel {
+
+// ---- the Schlick family -----------------------------------------------------------------------------------
+
+/// Schlick's approximation with any reflectance at grazing incidence.
+///
+///   F = f0 + (f90 - f0) x^5
+///
+/// f0, f90   reflectance at normal and grazing incidence   [0, 1]
+/// source    Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering"; f90 as in
+///           "Real-Time Rendering", 4th ed., eq. 9.18
+template <class T>
+T schlick_f90(T f0, T f90, T cos_i) {
+    const T m = let("m", 1 - cos_i);
+    return f0 + (f90 - f0) * pow5(m);
+}
+
+/// Schlick's approximation of dielectric or conductor reflectance.
+///
+///   F = f0 + (1 - f0) x^5
+///
+/// f0      reflectance at normal incidence   [0, 1]
+/// returns [f0, 1]; exact at cos_i = 0 and 1; monotone
+/// source  Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering"
+template <class T>
+T schlick(T f0, T cos_i) {
+    const T m = let("m", 1 - cos_i);
+    return f0 + (1 - f0) * pow5(m);
+}
+
+/// Schlick's approximation with the power left free, which follows metals far better.
+///
+///   F = f0 + (f90 - f0) x^power
+///
+/// f0, f90   reflectance at normal and grazing incidence   [0, 1]
+/// power     sharpness of the rise, 5 is Schlick's         [0.1, 1000]
+/// source    "Real-Time Rendering", 4th ed., eq. 9.18, where the power is written 1 / p
+template <class T>
+T schlick_power(T f0, T f90, T power, T cos_i) {
+    return f0 + (f90 - f0) * pow(1 - cos_i, power);
+}
+
+/// Schlick's approximation written in n and k, without f0.
+///
+///   F = ((n - 1)^2 + 4 n x^5 + k^2) / ((n + 1)^2 + k^2)
+///
+/// n, k    index relative to the ambient medium   [0.001, 1000], [0, 10000]
+/// source  Lazanyi and Szirmay-Kalos 2005, "Fresnel Term Approximations for Metals"
+template <class T>
+T schlick_nk(T n, T k, T cos_i) {
+    const T m = let("m", 1 - cos_i);
+    return min((square(n - 1) + k * k + 4 * n * pow5(m)) / (square(n + 1) + k * k), T(1));
+}
+
+/// Schlick's approximation from inside a denser medium: the transmitted cosine takes the place of cos_i.
+///
+///   F = f0 + (1 - f0) (1 - cos_t)^5,   1 beyond the critical angle
+///
+/// eta     n_t / n_i   [0.01, 1]
+/// source  Lagarde 2013, "Memo on Fresnel equations"; "Real-Time Rendering", 4th ed., sec. 9.5.3
+template <class T>
+T schlick_internal(T eta, T cos_i) {
+    const T f0 = let("f0", square((1 - eta) / (1 + eta)));
+    return schlick(f0, refracted_cosine(eta, cos_i));
+}
+
+// ---- one parameter ----------------------------------------------------------------------------------------
+
+/// Schlick's curve with its fifth power replaced by a spherical Gaussian.
+///
+///   F = f0 + (1 - f0) 2^((-5.55473 c - 6.98316) c)
+///
+/// f0      reflectance at normal incidence   [0, 1]
+/// returns [f0, 1]; at cos_i = 1 it is f0 + 1.7e-4 (1 - f0)
+/// source  Lagarde 2012, "Spherical Gaussian approximation for Blinn-Phong, Phong and Fresnel"; Karis 2013
+template <class T>
+T spherical_gaussian(T f0, T cos_i) {
+    const T p = let("p", -(ratio<T, 555473, 100000>() * cos_i + ratio<T, 698316, 100000>()) * cos_i);
+    return f0 + (1 - f0) * exp2(p);
+}
+
+/// A curve found by symbolic regression.
+///
+///   F = f0 + (x - f0) x^4
+///
+/// f0      reflectance at normal incidence   [0, 1]
+/// source  photometric.io, "Improving Schlick's Approximation"
+template <class T>
+T photometric(T f0, T cos_i) {
+    const T m = let("m", 1 - cos_i);
+    return f0 + (m - f0) * square(m * m);
+}
+
+/// Two powers in Schlick's number of operations; better than Schlick on dielectrics in every norm.
+///
+///   F = f0 + x^4 ((a - f0) + (1 - a) x^4),   a = 0.55
+///
+/// f0      reflectance at normal incidence   [0, 1]; made for f0 in [0.02, 0.18]
+/// returns [0, 1]; below f0 somewhere for f0 > 0.55
+/// source  this library: minimax fit over eta in [1.333, 2.42]
+template <class T>
+T powers_4_8(T f0, T cos_i) {
+    const T a = ratio<T, 55, 100>();
+    const T m4 = let("m4", square(square(1 - cos_i)));
+    return f0 + m4 * ((a - f0) + (1 - a) * m4);
+}
+
+/// Two powers, a third of Schlick's error on dielectrics.
+///
+///   F = f0 + x^3 ((a - f0) + (1 - a) x^6),   a = max(0.46, f0)
+///
+/// f0      reflectance at normal incidence   [0, 1]; made for f0 in [0.02, 0.18]
+/// returns [f0, 1]: the maximum in a keeps a bright f0 from dipping below itself
+/// source  this library: minimax fit over eta in [1.333, 2.42]
+template <class T>
+T powers_3_9(T f0, T cos_i) {
+    const T a = let("a", max(ratio<T, 46, 100>(), f0));
+    const T m = let("m", 1 - cos_i);
+    const T m3 = let("m3", m * m * m);
+    return min(f0 + m3 * ((a - f0) + (1 - a) * (m3 * m3)), T(1));
+}
+
+/// Three powers with coefficients in sqrt(f0), a twentieth of Schlick's error on dielectrics.
+///
+///   F = f0 + y (p + y (q + y r)),   y = x^3,   r = 1 - f0 - p - q
+///   p = -0.02379 + 2.90623 s - 4.78491 f0,   q = 0.43137 - 0.58931 s - 2.31299 f0,   s = sqrt(f0)
+///
+/// f0      reflectance at normal incidence   [0, 1]; made for f0 in [0.02, 0.18]
+/// returns clamped to [0, 1], which acts only for f0 far above that range
+/// source  this library: minimax fit over eta in [1.333, 2.42]
+template <class T>
+T powers_3_6_9(T f0, T cos_i) {
+    const T s = let("s", sqrt(f0));
+    const T p =
+        let("p", ratio<T, 290623, 100000>() * s - ratio<T, 2379, 100000>() - ratio<T, 478491, 100000>() * f0);
+    const T q =
+        let("q", ratio<T, 43137, 100000>() - ratio<T, 58931, 100000>() * s - ratio<T, 231299, 100000>() * f0);
+    const T r = let("r", 1 - f0 - p - q);
+    const T m = let("m", 1 - cos_i);
+    const T y = let("y", m * m * m);
+    return saturate(f0 + y * (p + y * (q + y * r)));
+}
+
+/// The rim factor 1 - cos_i, as a stand-in for reflectance.
+///
+///   F = x
+///
+/// source  Wloka 2002, "Fresnel Reflection", fig. 4 and 15
+template <class T>
+T one_minus_cos(T cos_i) {
+    return 1 - cos_i;
+}
+
+/// No Fresnel effect at all.
+///
+///   F = f0
+///
+/// f0      reflectance at every angle   [0, 1]
+template <class T>
+T constant(T f0, [[maybe_unused]] T cos_i) {
+    return f0;
+}
+
+// ---- conductors; n and k are relative to the ambient medium ----------------------------------------------
+
+/// The classic approximation for metals: exact for a large index, without a square root.
+///
+///   R_s = ((n - c)^2 + k^2) / ((n + c)^2 + k^2)
+///   R_p = ((n c - 1)^2 + k^2 c^2) / ((n c + 1)^2 + k^2 c^2)
+///
+/// n, k    index relative to the ambient medium   [0.001, 1000], [0, 10000]; made for k >= 1
+/// returns (R_s + R_p) / 2
+/// source  Pharr and Humphreys, "Physically Based Rendering"; Lagarde 2013, "Memo on Fresnel equations"
+template <class T>
+T air_conductor(T n, T k, T cos_i) {
+    const T c = cos_i;
+    const T k2 = let("k2", k * k);
+    const T R_s = let("R_s", (square(n - c) + k2) / (square(n + c) + k2));
+    const T R_p = let("R_p", (square(n * c - 1) + k2 * (c * c)) / (square(n * c + 1) + k2 * (c * c)));
+    return (R_s + R_p) / 2;
+}
+
+/// Schlick's approximation less a term for the dip that metals have before grazing incidence.
+///
+///   F = schlick_nk(n, k) - a c x^alpha
+///
+/// n, k    index relative to the ambient medium   [0.001, 1000], [0, 10000]
+/// a       depth of the dip                       [0, 2000]; the paper suggests 2 n
+/// alpha   sharpness of the dip                   [0.1, 1000]; fitted per material and channel
+/// returns clamped to [0, 1]: a too large a would leave it
+/// source  Lazanyi and Szirmay-Kalos 2005, "Fresnel Term Approximations for Metals"
+template <class T>
+T lazanyi(T n, T k, T a, T alpha, T cos_i) {
+    return saturate(schlick_nk(n, k, cos_i) - a * cos_i * pow(1 - cos_i, alpha));
+}
+
+/// An index from two artist's colours, then the exact equations.
+///
+///   n = mix((1 + sqrt r) / (1 - sqrt r), (1 - r) / (1 + r), g),   k^2 = (n_max - n) (n - 1 / n_max)
+///
+/// r       reflectance at normal incidence   [0, 1]; clamped to 0.9999, where n reaches 40 000
+/// g       edge tint                         [0, 1]
+/// returns [0, 1]; exactly r at normal incidence for every g
+/// source  Gulbrandsen 2014, "Artist Friendly Metallic Fresnel"; k^2 = ((n + 1)^2 r - (n - 1)^2) / (1 - r)
+///         factored by its roots in n
+template <class T>
+T gulbrandsen(T r, T g, T cos_i) {
+    const T f0 = let("f0", min(r, ratio<T, 9999, 10000>()));
+    const T n_max = let("n_max", eta_from_f0(f0));
+    const T n_min = let("n_min", (1 - f0) / (1 + f0));
+    const T n = let("n", mix(n_max, n_min, g));
+    const T k = let("k", sqrt(max((n_max - n) * (n - sin_critical(f0)), T(0))));
+    return conductor(T(1), n, k, cos_i).reflectance();
+}
+
+/// Schlick's approximation with the dip of Lazanyi, through given reflectances at 0, 81.8 and 90 degrees.
+///
+///   F = S(c) - (S(1/7) - f82) c x^6 / ((1/7) (6/7)^6),   S(c) = f0 + (f90 - f0) x^power
+///
+/// f0, f90   reflectance at normal and grazing incidence   [0, 1]
+/// f82       reflectance at cos_i = 1/7                    [0, 1]
+/// power     sharpness of the rise, 5 is Schlick's         [0.1, 1000]
+/// returns   clamped to [0, 1]
+/// source    Hoffman 2019, "Fresnel Equations Considered Harmful"; the general form as `hoffman_schlick` of
+///           MaterialX
+template <class T>
+T hoffman(T f0, T f82, T f90, T power, T cos_i) {
+    const T at_82 = let("at_82", schlick_power(f0, f90, power, ratio<T, 1, 7>()));
+    const T b = let("b", (at_82 - f82) * ratio<T, 823543, 46656>()); // 1 / ((1/7) (6/7)^6)
+    const T m = let("m", 1 - cos_i);
+    const T m2 = let("m2", m * m);
+    return saturate(schlick_power(f0, f90, power, cos_i) - b * cos_i * (m2 * m2 * m2));
+}
+
+/// Schlick's approximation less the dip of Lazanyi with alpha = 6, its depth b given.
+///
+///   F = f0 + (1 - f0) x^5 - b c x^6
+///
+/// The shared body of `f82` and `f82_tint`.
+template <class T>
+T schlick_with_dip(T f0, T b, T cos_i) {
+    const T m = let("m", 1 - cos_i);
+    const T m5 = let("m5", pow5(m));
+    return saturate(f0 + (1 - f0) * m5 - b * cos_i * (m5 * m));
+}
+
+/// Schlick's approximation with a dip, through given reflectances at 0 and 81.8 degrees.
+///
+///   F = f0 + (1 - f0) x^5 - b c x^6,   b = (schlick(f0, 1/7) - f82) / ((1/7) (6/7)^6)
+///
+/// f0      reflectance at normal incidence   [0, 1]
+/// f82     reflectance at cos_i = 1/7        [0, 1]
+/// returns clamped to [0, 1]; f82 at cos_i = 1/7
+/// source  Hoffman 2019, "Fresnel Equations Considered Harmful"
+template <class T>
+T f82(T f0, T f82, T cos_i) {
+    const T at_82 = let("at_82", f0 + (1 - f0) * ratio<T, 7776, 16807>()); // (6/7)^5
+    const T b = let("b", (at_82 - f82) * ratio<T, 823543, 46656>());
+    return schlick_with_dip(f0, b, cos_i);
+}
+
+/// The same curve with f82 given as a fraction of Schlick's value there.
+///
+///   F = f0 + (1 - f0) x^5 - b c x^6,   b = schlick(f0, 1/7) (1 - tint) / ((1/7) (6/7)^6)
+///
+/// f0      reflectance at normal incidence   [0, 1]
+/// tint    f82 / schlick(f0, 1/7)            [0, 1]; 1 is Schlick's approximation
+/// returns clamped to [0, 1]: a strong tint would go below 0
+/// source  Kutz, Hasan and Edmondson 2021, "Novel aspects of the Adobe Standard Material"; OpenPBR
+template <class T>
+T f82_tint(T f0, T tint, T cos_i) {
+    const T at_82 = let("at_82", f0 + (1 - f0) * ratio<T, 7776, 16807>()); // (6/7)^5
+    const T b = let("b", at_82 * (1 - tint) * ratio<T, 823543, 46656>());
+    return schlick_with_dip(f0, b, cos_i);
+}
+
+/// Two powers through f0 and f82: the best single form for blends of metals and dielectrics.
+///
+///   F = f0 + x^4 (p + q x^8),   p + q = 1 - f0,   F(1/7) = f82
+///
+/// f0      reflectance at normal incidence   [0, 1]
+/// f82     reflectance at cos_i = 1/7        [0, 1]
+/// returns clamped to [0, 1]
+/// source  this library
+template <class T>
+T powers_4_12(T f0, T f82, T cos_i) {
+    // q ((6/7)^8 - 1) = (f82 - f0) (7/6)^4 - (1 - f0)
+    const T rise = let("rise", (1 - f0) - (f82 - f0) * ratio<T, 2401, 1296>());
+    const T q = let("q", rise * ratio<T, 5764801, 4085185>());
+    const T m4 = let("m4", square(square(1 - cos_i)));
+    return saturate(f0 + m4 * ((1 - f0 - q) + q * (m4 * m4)));
+}
+
+/// Three powers through f0 and f82: half the worst error of `f82` on metals.
+///
+///   F = f0 + c2 x^2 + c8 x^8 + c16 x^16,   c_e = A_e (1 - f0) + B_e (f82 - f0)
+///
+/// f0      reflectance at normal incidence   [0, 1]
+/// f82     reflectance at cos_i = 1/7        [0, 1]; met to 3e-6
+/// returns clamped to [0, 1]: a very low f82 would go below 0
+/// source  this library: least-squares fit over 28 metals, three channels each
+template <class T>
+T powers_2_8_16(T f0, T f82, T cos_i) {
+    const T rise = let("rise", 1 - f0);
+    const T dip = let("dip", f82 - f0);
+    const T c2 = let("c2", ratio<T, 104343, 100000>() * dip - ratio<T, 27520, 100000>() * rise);
+    const T c8 = let("c8", ratio<T, 155944, 100000>() * dip + ratio<T, 45498, 100000>() * rise);
+    const T c16 = let("c16", ratio<T, 82022, 100000>() * rise - ratio<T, 260287, 100000>() * dip);
+    const T m2 = let("m2", square(1 - cos_i));
+    const T m8 = let("m8", square(m2 * m2));
+    return saturate(f0 + c2 * m2 + m8 * (c8 + c16 * m8));
+}
+
+// ---- artistic ---------------------------------------------------------------------------------------------
+
+/// The rim of game shaders.
+///
+///   F = saturate(bias + scale x^power)
+///
+/// bias    value at normal incidence   [-10, 10]
+/// scale   strength of the rim         [-10, 10]
+/// power   sharpness of the rim        [0.1, 1000]
+/// returns clamped to [0, 1]
+/// source  Fernando and Kilgard 2003, "The Cg Tutorial", ch. 7; Halladay 2014, "Fresnel Shading"
+template <class T>
+T bias_scale_power(T bias, T scale, T power, T cos_i) {
+    return saturate(bias + scale * pow(1 - cos_i, power));
+}
+
+} // namespace fresnel

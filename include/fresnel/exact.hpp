@@ -1,0 +1,349 @@
+#pragma once
+
+// Fresnel's equations for one plane boundary, exact for every angle, on both sides of a transparent surface
+// and on the outside of an absorbing one.
+//
+// Conventions. Light arrives in a transparent medium of index n_i and meets a medium of index n_t + i k_t,
+// k_t >= 0. cos_i in [0, 1] is the cosine of the angle of incidence. Everything is relative to the ambient
+// medium: eta = n_t / n_i. Transmittances are ratios of power through the surface, so that R + T = 1.
+//
+// Three arrangements of the same equations, chosen by measurement (docs/accuracy.md):
+//   dielectric, conductor            accurate everywhere in float; use these
+//   dielectric_fast, conductor_fast  the fewest operations; lose digits near n_t = n_i and where n << k
+//   conductor_precise                compensated arithmetic; accurate at the critical angle as well
+
+#include <fresnel/complex.hpp>
+#include <fresnel/number.hpp>
+
+#include <limits>
+
+namespace fresnel {
+
+/// Power reflected and transmitted at one boundary, for light polarised across (s) and along (p) the plane of
+/// incidence. Each in [0, 1].
+template <class T>
+struct boundary {
+    T R_s, R_p, T_s, T_p;
+
+    /// Reflectance of unpolarised light.
+    constexpr T reflectance() const { return (R_s + R_p) / 2; }
+    /// Transmittance of unpolarised light.
+    constexpr T transmittance() const { return (T_s + T_p) / 2; }
+};
+
+/// Exact reflectance and transmittance between two transparent media.
+///
+///   g^2 = eta^2 - 1 + c^2                 R_s = ((eta^2 - 1) / (g + c)^2)^2
+///   T_s = 4 c g / (g + c)^2               R_p = R_s ((c^2 eta^2 - s^2) / (c g + s^2)^2)^2
+///   T_p = T_s + R_s 4 c g s^2 / (c g + s^2)^2
+///
+/// n_i     index of the ambient medium            [0.01, 100]
+/// n_t     index of the medium behind             [0.001, 1000]
+/// cos_i   cosine of incidence                    [0, 1]
+/// returns R and T per polarisation, each in [0, 1]; 1 and 0 beyond the critical angle; R is exactly 0 for
+///         equal media at every angle, and exactly 1 at cos_i = 0 for any others
+/// error   relative 8 epsilon in R and 4 in T, times 1 + |eta^2 - 1| / g^2: in float32 2e-6 for eta > 1,
+///         and up to 6e-2 at the critical angle of eta >= 0.1 (conductor_precise: 1e-6 there too)
+/// source  Fresnel 1823; the differences are factored as g^2 - c^2 = eta^2 - 1 so that none cancels
+template <class T>
+boundary<T> dielectric(T n_i, T n_t, T cos_i) {
+    const T c = cos_i;
+    const T n_i2 = n_i * n_i;
+    const T E = let("E", (n_t - n_i) * (n_t + n_i) / n_i2); // eta^2 - 1
+    const T s2 = let("s2", (1 - c) * (1 + c));
+    const T g2 = let("g2", E + c * c);
+
+    // Snell: g = eta cos_t, 0 under total internal reflection
+    const T g = let("g", select(g2 <= 0, T(0), sqrt(select(g2 <= 0, T(1), g2))));
+    const T w = let("w", 4 * (c * g));
+
+    // nothing passes at grazing incidence or beyond the critical angle, unless there is no boundary at all
+    const T barred = let("barred", select(abs(E) > 0, T(1), T(0)));
+    const auto closed = min(w, abs(E)) <= 0;
+    const T a2 = let("a2", select(closed, T(1), square(g + c)));
+    const T b2 = let("b2", select(closed, T(1), square(c * g + s2)));
+
+    const T R_s = min(square(E / a2), T(1));
+    const T R_p = R_s * min(square((c * c * (E + 1) - s2) / b2), T(1));
+    const T T_s = min(w / a2, T(1));
+    const T T_p = min(T_s + R_s * (w * s2 / b2), T(1));
+    return {select(closed, barred, R_s), select(closed, barred, R_p), select(closed, 1 - barred, T_s),
+            select(closed, 1 - barred, T_p)};
+}
+
+/// The same equations in the fewest operations, the arrangement of Cook and Torrance.
+///
+///   R_s = ((g - c) / (g + c))^2        R_p = R_s ((c g - s^2) / (c g + s^2))^2
+///
+/// n_i, n_t, cos_i, returns   as `dielectric`
+/// error   float32: relative 4e-6 in R for eta > 1.05, growing like 2e-7 / |eta - 1|: no digit left at
+///         1 +- 1e-6. Equal media at cos_i = 0 transmit nothing
+/// source  Cook and Torrance 1982, "A Reflectance Model for Computer Graphics"
+template <class T>
+boundary<T> dielectric_fast(T n_i, T n_t, T cos_i) {
+    const T c = cos_i;
+    const T eta = let("eta", n_t / n_i);
+    const T g2 = let("g2", eta * eta - 1 + c * c);
+    const T s2 = let("s2", 1 - c * c);
+
+    // total internal reflection: g = 0 makes r_s and r_p / r_s both 1
+    const T g = let("g", select(g2 <= 0, T(0), sqrt(select(g2 <= 0, T(1), g2))));
+    const T a = let("a", select(square(g + c) <= 0, T(1), g + c));
+    const T b = let("b", select(g2 <= 0, T(1), c * g + s2));
+
+    const T r_s = let("r_s", select(g2 < 0, T(1), (g - c) / a));
+    const T q = let("q", select(g2 <= 0, T(1), (c * g - s2) / b));
+    const T R_s = r_s * r_s;
+    const T R_p = R_s * (q * q);
+    const T T_s = 4 * (c * g) / (a * a);
+    return {R_s, R_p, min(T_s, T(1)), min(T_s + R_s * (4 * (c * g) * s2 / (b * b)), T(1))};
+}
+
+/// The part of the transmitted wave's vector along the normal, m cos_t = a + i b with m the relative complex
+/// index, and d = a - cos_i without the cancellation of that subtraction.
+template <class T>
+struct normal_wave {
+    T a, b, d;
+};
+
+/// Snell's law for a complex index: (a + i b)^2 = m^2 - sin_i^2.
+///
+/// Written with the larger of a and b from a sum and the smaller from n k / larger, so that neither cancels;
+/// E = n^2 - k^2 - 1 is formed from the differences of the indices. Near an index match a - c is taken from
+/// a^2 - c^2 = E + b^2 instead.
+///
+/// n_i, n_t, k_t, cos_i   as `conductor`
+/// source  Born and Wolf 1999, "Principles of Optics", 7th ed., sec. 14.2
+template <class T>
+normal_wave<T> refract_complex(T n_i, T n_t, T k_t, T cos_i) {
+    const T c = cos_i;
+    const T n_i2 = n_i * n_i;
+    const T E = let("E", ((n_t - n_i) * (n_t + n_i) - k_t * k_t) / n_i2); // n^2 - k^2 - 1
+    const T nk = let("nk", n_t * k_t / n_i2);
+    const T t0 = let("t0", E + c * c);
+    const T A = let("A", max(sqrt(t0 * t0 + 4 * (nk * nk)), abs(t0)));
+    const T m = let("m", sqrt((A + abs(t0)) / 2));
+    const T q = let("q", nk / select(m > 0, m, T(1)));
+
+    const T a = let("a", select(t0 < 0, q, m));
+    const T b = let("b", select(t0 < 0, m, q));
+    const auto near = max(2 * abs(a - c), b) < c;
+    const T d = let("d", select(near, (E + b * b) / select(near, a + c, T(1)), a - c));
+    return {a, b, d};
+}
+
+/// Exact reflectance and transmittance from a transparent medium into an absorbing one.
+///
+///   (a + i b)^2 = (n + i k)^2 - s^2        R_s = ((a - c)^2 + b^2) / ((a + c)^2 + b^2)
+///   R_p = R_s ((a c - s^2)^2 + b^2 c^2) / ((a c + s^2)^2 + b^2 c^2)
+///
+/// n_i     index of the ambient medium                        [0.01, 100]
+/// n_t     real part of the index behind                      [0.001, 1000]
+/// k_t     imaginary part of the index behind                 [0, 10000]; 0 is a dielectric
+/// cos_i   cosine of incidence                                [0, 1]
+/// returns R and T per polarisation, each in [0, 1]; T is the power that enters, to be absorbed. R is exactly
+///         0 for equal media at every angle, and exactly 1 at cos_i = 0 for any others
+/// error   relative 8 epsilon in R and 4 in T, times 1 + |m^2 - 1| / |m^2 - s^2|: in float32 2e-6 for metals
+///         and for eta > 1, and up to 6e-2 at the critical angle of eta >= 0.1 (k_t = 0 only)
+/// source  Born and Wolf 1999, "Principles of Optics", 7th ed., sec. 14.2; Moeller 1988, "Optics", p. 111
+template <class T>
+boundary<T> conductor(T n_i, T n_t, T k_t, T cos_i) {
+    const T c = cos_i;
+    const T s2 = let("s2", (1 - c) * (1 + c));
+    const normal_wave<T> t = refract_complex(n_i, n_t, k_t, c);
+
+    const T b2 = let("b2", t.b * t.b);
+    const T ac = let("ac", t.a * c);
+    const T bc2 = let("bc2", b2 * (c * c));
+    const T D_s = let("D_s", square(t.a + c) + b2);
+    const T D_p = let("D_p", square(ac + s2) + bc2);
+    const T D = let("D", select(D_s <= 0, T(1), D_s)); // 0 only for equal media at grazing incidence
+    const T P = let("P", select(D_p <= 0, T(1), D_p)); // 0 only where a rounds to 0, at normal incidence
+
+    const T N_s = let("N_s", t.d * t.d + b2); // 0 only where nothing is reflected
+    const T R_s = let("R_s", N_s / D);
+    const T R_p = let("R_p", R_s * select(D_p <= 0, T(1), (square(ac - s2) + bc2) / P));
+    const T T_s = let("T_s", select(N_s <= 0, T(1), 4 * ac / D));
+    const T T_p = let("T_p", T_s + R_s * (4 * (ac * s2) / P));
+    return {R_s, R_p, min(T_s, T(1)), min(T_p, T(1))};
+}
+
+/// The same equations in the fewest operations: two square roots and one division.
+///
+///   R_s = (t1 - t2) / (t1 + t2)        R_p = R_s (t3 - t4) / (t3 + t4)
+///
+/// n_i, n_t, k_t, cos_i, returns   as `conductor`
+/// error   float32: relative 3e-6 in R for metals, 1e-4 for dielectrics; R has no digit left near an index
+///         match (k_t < 1e-3 and n_t near n_i), T none where n_t << k_t
+/// source  Lagarde 2013, "Memo on Fresnel equations", after Shirley
+template <class T>
+boundary<T> conductor_fast(T n_i, T n_t, T k_t, T cos_i) {
+    const T c = cos_i;
+    const T c2 = c * c;
+    const T s2 = let("s2", 1 - c2);
+    const T n_i2 = n_i * n_i;
+    const T t0 = let("t0", ((n_t - n_i) * (n_t + n_i) - k_t * k_t) / n_i2 + c2);
+    const T nk2 = let("nk2", 2 * (n_t * k_t / n_i2));
+    const T A = let("A", sqrt(t0 * t0 + nk2 * nk2)); // a^2 + b^2
+    const T a = let("a", sqrt(max((A + t0) / 2, T(0))));
+
+    const T t1 = let("t1", A + c2);
+    const T t2 = let("t2", min(2 * (a * c), t1));
+    const T t3 = let("t3", c2 * A + s2 * s2);
+    const T t4 = let("t4", min(t2 * s2, t3));
+    const T D_s = let("D_s", t1 + t2);
+    const T D_p = let("D_p", t3 + t4);
+    const T D = let("D", D_s * D_p);
+    const auto open = D * D <= 0; // equal media close to grazing incidence, where 1 / D would be infinite
+    const T inv_D = let("inv_D", 1 / select(open, T(1), D));
+
+    const T R_s = let("R_s", min((t1 - t2) * D_p * inv_D, T(1)));
+    const T R_p = let("R_p", R_s * min((t3 - t4) * D_s * inv_D, T(1)));
+    const T T_s = let("T_s", select(open, T(1), 2 * t2 * D_p * inv_D));
+    const T T_p = let("T_p", T_s + R_s * (2 * t4 * D_s * inv_D));
+    return {R_s, R_p, min(T_s, T(1)), min(T_p, T(1))};
+}
+
+/// A value as an unevaluated sum hi + lo, twice the digits of T.
+template <class T>
+struct twofold {
+    T hi, lo;
+};
+
+/// a + b without rounding error (Knuth 1969, TAOCP vol. 2, sec. 4.2.2).
+template <class T>
+twofold<T> two_sum(T a, T b) {
+    const T sum = a + b;
+    const T b_part = sum - a;
+    return {sum, (a - (sum - b_part)) + (b - b_part)};
+}
+
+/// a in two halves of the mantissa, so that products of halves are exact (Veltkamp 1968).
+template <class T>
+twofold<T> halves(T a) {
+    const T factor = T(std::numeric_limits<T>::digits > 24 ? 134217729 : 4097); // 2^27 + 1, 2^12 + 1
+    const T t = factor * a;
+    const T hi = t - (t - a);
+    return {hi, a - hi};
+}
+
+/// a b without rounding error, from + - * alone (Dekker 1971).
+template <class T>
+twofold<T> two_product(T a, T b) {
+    const T product = a * b;
+    const twofold<T> x = halves(a), y = halves(b);
+    return {product, ((x.hi * y.hi - product) + x.hi * y.lo + x.lo * y.hi) + x.lo * y.lo};
+}
+
+template <class T>
+twofold<T> operator+(twofold<T> x, twofold<T> y) {
+    const twofold<T> s = two_sum(x.hi, y.hi), t = two_sum(x.lo, y.lo);
+    const twofold<T> u = two_sum(s.hi, s.lo + t.hi);
+    return two_sum(u.hi, u.lo + t.lo);
+}
+
+template <class T>
+twofold<T> operator-(twofold<T> x, twofold<T> y) {
+    return x + twofold<T>{-y.hi, -y.lo};
+}
+
+template <class T>
+twofold<T> operator*(twofold<T> x, twofold<T> y) {
+    const twofold<T> p = two_product(x.hi, y.hi);
+    return two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
+}
+
+/// The exact equations with the two sums that cancel carried in twice the digits.
+///
+/// t0 = n_t^2 - k_t^2 - n_i^2 s^2 vanishes at the critical angle and N = c^2 (n_t^2 + n_i^2) - n_i^2 at
+/// Brewster's; everything is scaled by n_i instead of divided by it, so that no quotient is rounded first.
+///
+/// n_i, n_t, k_t, cos_i, returns   as `conductor`; k_t = 0 gives the dielectric
+/// error   float32: relative 1e-6 in R and T everywhere, the critical angle included
+/// source  as `conductor`; the sums after Knuth, Veltkamp and Dekker. Needs an arithmetic that does not
+///         re-associate (no -ffast-math)
+template <class T>
+boundary<T> conductor_precise(T n_i, T n_t, T k_t, T cos_i) {
+    const T s2 = (1 - cos_i) * (1 + cos_i);
+    const twofold<T> n2 = two_product(n_t, n_t), k2 = two_product(k_t, k_t), i2 = two_product(n_i, n_i);
+    const twofold<T> c2 = two_product(cos_i, cos_i);
+    const twofold<T> E2 = n2 - k2 - i2;
+    const twofold<T> t02 = E2 + i2 * c2;
+    const twofold<T> N2 = c2 * (n2 + i2) - i2;
+
+    // lengths in units of 1 / n_i: c is n_i cos_i, a + i b is n_i m cos_t
+    const T c = n_i * cos_i;
+    const T nk = n_t * k_t;
+    const T t0 = t02.hi;
+    const T A = max(sqrt(t0 * t0 + 4 * (nk * nk)), abs(t0));
+    const T m = sqrt((A + abs(t0)) / 2);
+    const T q = nk / select(m > 0, m, T(1));
+    const T a = select(t0 < 0, q, m);
+    const T b = select(t0 < 0, m, q);
+    const T b2 = b * b;
+
+    const auto near_match = max(2 * abs(a - c), b) < c;
+    const T d = select(near_match, (E2.hi + b2) / select(near_match, a + c, T(1)), a - c);
+    const T D_s = square(a + c) + b2;
+    const T D = select(D_s <= 0, T(1), D_s);
+    const T N_s = d * d + b2;
+    const T R_s = N_s / D;
+    const T T_s = select(N_s <= 0, T(1), 4 * (a * c) / D);
+
+    // Brewster: nu = a cos_i - n_i s^2 from nu (a cos_i + n_i s^2) = N + cos_i^2 (b^2 - k^2)
+    const T is2 = n_i * s2;
+    const T ac = a * cos_i;
+    const T bc2 = square(b * cos_i);
+    const auto near_brewster = max(2 * abs(ac - is2) - is2, 2 * b - n_i) < 0;
+    const T sum = select(ac + is2 <= 0, T(1), ac + is2);
+    const T nu = select(near_brewster, (N2.hi + c2.hi * (b2 - k2.hi)) / sum, ac - is2);
+    const T P = square(sum) + bc2;
+    const T R_p = R_s * ((nu * nu + bc2) / P);
+    const T T_p = T_s + R_s * (4 * (ac * is2) / P);
+    return {min(R_s, T(1)), min(R_p, T(1)), min(T_s, T(1)), min(T_p, T(1))};
+}
+
+/// Complex amplitudes of the reflected and transmitted electric field. A wave is exp(-i omega t), so that an
+/// absorbing medium is n + i k; the sign of r_p is Verdet's (r_s and r_p differ in sign at normal incidence).
+template <class T>
+struct amplitudes {
+    complex<T> r_s, r_p, t_s, t_p;
+};
+
+/// Fresnel's amplitudes for any boundary; k_t = 0 gives the dielectric, complex beyond the critical angle.
+///
+///   q^2 = m^2 - s^2     r_s = (c - q) / (c + q)     r_p = r_s (s^2 - q c) / (s^2 + q c)
+///   t_s = 2 c / (c + q)     t_p = 2 m c / (m^2 c + q)
+///
+/// n_i, n_t, k_t, cos_i   as `conductor`
+/// returns |r_s|^2 = R_s and |r_p|^2 = R_p of `conductor`; R + T n-weighted = 1, see `conductor` for T
+/// source  Born and Wolf 1999, "Principles of Optics", 7th ed., sec. 1.5.2; Verdet's convention as in
+///         Clarke 2009, "Stellar Polarimetry", appendix A
+template <class T>
+amplitudes<T> boundary_amplitudes(T n_i, T n_t, T k_t, T cos_i) {
+    const T c = cos_i;
+    const T s2 = let("s2", (1 - c) * (1 + c));
+    const normal_wave<T> t = refract_complex(n_i, n_t, k_t, c);
+    const complex<T> m = {n_t / n_i, k_t / n_i};
+
+    const complex<T> sum = {t.a + c, t.b};
+    const auto none = norm(sum) <= 0; // equal media at grazing incidence
+    const complex<T> safe_sum = {select(none, T(1), sum.re), sum.im};
+    const complex<T> qc = {t.a * c, t.b * c};
+    const complex<T> r_s = complex<T>{-t.d, -t.b} / safe_sum;
+    const complex<T> r_p = r_s * (complex<T>{s2 - qc.re, -qc.im} / complex<T>{s2 + qc.re, qc.im});
+    const complex<T> one_s = {select(none, T(1), 2 * c), T(0)};
+
+    // m^2 c + q = (c + q) (s^2 + q c), and the transmitted ray of equal media is the incident one
+    const complex<T> t_s = one_s / safe_sum;
+    const complex<T> t_p = m * (t_s / complex<T>{s2 + qc.re, qc.im});
+    return {r_s, r_p, t_s, t_p};
+}
+
+/// The other common sign of r_p, Fresnel's: r_s and r_p are equal at normal incidence. Its own inverse.
+template <class T>
+amplitudes<T> opposite_p(amplitudes<T> x) {
+    return {x.r_s, -x.r_p, x.t_s, x.t_p};
+}
+
+} // namespace fresnel

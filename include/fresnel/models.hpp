@@ -1,0 +1,318 @@
+#pragma once
+
+// The registry: every model's name, parameters, equation, citation, domain and error. The command line, the
+// error tables, the documentation and the tests read this table and nothing else, so that a model is complete
+// once it has a docstring, a body and a row here.
+
+#include <fresnel/approx.hpp>
+#include <fresnel/exact.hpp>
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+namespace fresnel {
+
+enum class model_kind { exact, approximation, artistic };
+
+/// One argument of a model beside cos_i. `neutral` marks a default that changes nothing (n_i = 1, k_t = 0),
+/// so that leaving the argument out is never a mistake.
+struct parameter {
+    std::string_view name;
+    std::string_view unit;
+    double min, max;
+    double default_value;
+    bool neutral = false;
+};
+
+/// Largest |model - exact| and what it was taken over. Measured on a grid by a test, not yet proven.
+struct model_error {
+    double max;
+    std::string_view over;
+};
+
+/// A row of the registry. `evaluate` takes the parameters in order, then cos_i, all of one number type, and
+/// returns a `boundary` (exact models) or the reflectance.
+template <std::size_t N, class F>
+struct model {
+    std::string_view name;
+    model_kind kind;
+    std::string_view equation;
+    std::array<parameter, N> parameters;
+    std::string_view citation;
+    std::string_view domain;
+    model_error error;
+    F evaluate;
+};
+
+/// Evaluates a row on an indexable list of parameters.
+template <class T, std::size_t N, class F, class Values>
+constexpr auto evaluate(const model<N, F>& row, const Values& values, T cos_i) {
+    return [&]<std::size_t... i>(std::index_sequence<i...>) {
+        return row.evaluate(T(values[i])..., cos_i);
+    }(std::make_index_sequence<N>{});
+}
+
+namespace row {
+
+inline constexpr parameter n_i{"n_i", "1", 0.01, 100, 1, true};
+inline constexpr parameter n_t{"n_t", "1", 0.001, 1000, 1.5};
+inline constexpr parameter k_t{"k_t", "1", 0, 10000, 0, true};
+inline constexpr parameter n{"n", "1", 0.001, 1000, 1.5};
+inline constexpr parameter k{"k", "1", 0, 10000, 0, true};
+inline constexpr parameter f0{"f0", "1", 0, 1, 0.04};
+inline constexpr parameter f82{"f82", "1", 0, 1, 0.5};
+inline constexpr parameter f90{"f90", "1", 0, 1, 1, true};
+inline constexpr parameter power{"power", "1", 0.1, 1000, 5, true};
+
+inline constexpr std::string_view any_angle = "cos_i in [0, 1]";
+inline constexpr std::string_view two_media = "n_t / n_i in [0.1, 10], cos_i in [0, 1]";
+inline constexpr std::string_view any_index =
+    "n_t / n_i in [0.1, 10], k_t / n_i in [0, 100], cos_i in [0, 1]";
+
+// what an error is taken over
+inline constexpr std::string_view gems = "eta in [1.3, 2.5], from outside, f0 exact";
+inline constexpr std::string_view inside_gems = "1 / eta in [1.3, 2.5], from inside";
+inline constexpr std::string_view box = "n in [0.1, 4], k in [1, 8]";
+inline constexpr std::string_view metals =
+    "built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted";
+inline constexpr std::string_view away = "float64 rounding, 0.001 and more from a critical angle";
+inline constexpr std::string_view everywhere = "float64 rounding";
+
+} // namespace row
+
+/// Every model there is.
+inline constexpr auto registry = std::tuple{
+    // exact
+    model{
+        "dielectric",
+        model_kind::exact,
+        "R_s = (E / (g + c)^2)^2, R_p = R_s ((c^2 (E + 1) - s^2) / (c g + s^2)^2)^2, E = eta^2 - 1, g^2 = E "
+        "+ c^2",
+        std::array{row::n_i, row::n_t},
+        "Fresnel 1823",
+        row::two_media,
+        {1e-13, row::away},
+        [](auto... x) { return dielectric(x...); }},
+    model{"conductor",
+          model_kind::exact,
+          "R_s = |c - q|^2 / |c + q|^2, R_p = R_s |q c - s^2|^2 / |q c + s^2|^2, q^2 = (n + i k)^2 - s^2",
+          std::array{row::n_i, row::n_t, row::k_t},
+          "Born and Wolf 1999, Principles of Optics, sec. 14.2",
+          row::any_index,
+          {1e-13, row::away},
+          [](auto... x) { return conductor(x...); }},
+    model{"dielectric_fast",
+          model_kind::exact,
+          "R_s = ((g - c) / (g + c))^2, R_p = R_s ((c g - s^2) / (c g + s^2))^2, g^2 = eta^2 - 1 + c^2",
+          std::array{row::n_i, row::n_t},
+          "Cook and Torrance 1982",
+          row::two_media,
+          {1e-13, row::away},
+          [](auto... x) { return dielectric_fast(x...); }},
+    model{"conductor_fast",
+          model_kind::exact,
+          "R_s = (t1 - t2) / (t1 + t2), R_p = R_s (t3 - t4) / (t3 + t4)",
+          std::array{row::n_i, row::n_t, row::k_t},
+          "Lagarde 2013, Memo on Fresnel equations, after Shirley",
+          row::any_index,
+          {1e-09, row::away},
+          [](auto... x) { return conductor_fast(x...); }},
+    model{"conductor_precise",
+          model_kind::exact,
+          "as conductor, with the sums that cancel in twice the digits",
+          std::array{row::n_i, row::n_t, row::k_t},
+          "Born and Wolf 1999; Knuth 1969; Dekker 1971",
+          row::any_index,
+          {1e-15, row::everywhere},
+          [](auto... x) { return conductor_precise(x...); }},
+
+    // the Schlick family
+    model{"schlick",
+          model_kind::approximation,
+          "f0 + (1 - f0) x^5, x = 1 - cos_i",
+          std::array{row::f0},
+          "Schlick 1994, An Inexpensive BRDF Model for Physically-based Rendering",
+          row::any_angle,
+          {0.0824, row::gems},
+          [](auto... x) { return schlick(x...); }},
+    model{"schlick_f90",
+          model_kind::approximation,
+          "f0 + (f90 - f0) x^5, x = 1 - cos_i",
+          std::array{row::f0, row::f90},
+          "Schlick 1994; Real-Time Rendering, 4th ed., eq. 9.18",
+          row::any_angle,
+          {0.0824, row::gems},
+          [](auto... x) { return schlick_f90(x...); }},
+    model{"schlick_power",
+          model_kind::approximation,
+          "f0 + (f90 - f0) x^power, x = 1 - cos_i",
+          std::array{row::f0, row::f90, row::power},
+          "Real-Time Rendering, 4th ed., eq. 9.18",
+          row::any_angle,
+          {0.123, row::metals},
+          [](auto... x) { return schlick_power(x...); }},
+    model{"schlick_nk",
+          model_kind::approximation,
+          "((n - 1)^2 + 4 n x^5 + k^2) / ((n + 1)^2 + k^2), x = 1 - cos_i",
+          std::array{row::n, row::k},
+          "Lazanyi and Szirmay-Kalos 2005, Fresnel Term Approximations for Metals",
+          row::any_angle,
+          {0.255, row::box},
+          [](auto... x) { return schlick_nk(x...); }},
+    model{"schlick_internal",
+          model_kind::approximation,
+          "schlick(f0, cos_t), f0 = ((1 - eta) / (1 + eta))^2; 1 beyond the critical angle",
+          std::array{parameter{"eta", "1", 0.01, 1, ratio<double, 2, 3>()}},
+          "Lagarde 2013, Memo on Fresnel equations",
+          row::any_angle,
+          {0.0823, row::inside_gems},
+          [](auto... x) { return schlick_internal(x...); }},
+
+    // one parameter
+    model{"spherical_gaussian",
+          model_kind::approximation,
+          "f0 + (1 - f0) 2^((-5.55473 cos_i - 6.98316) cos_i)",
+          std::array{row::f0},
+          "Lagarde 2012, Spherical Gaussian approximation for Blinn-Phong, Phong and Fresnel",
+          row::any_angle,
+          {0.0846, row::gems},
+          [](auto... x) { return spherical_gaussian(x...); }},
+    model{"photometric",
+          model_kind::approximation,
+          "f0 + (x - f0) x^4, x = 1 - cos_i",
+          std::array{row::f0},
+          "photometric.io, Improving Schlick's Approximation",
+          row::any_angle,
+          {0.0708, row::gems},
+          [](auto... x) { return photometric(x...); }},
+    model{"powers_4_8",
+          model_kind::approximation,
+          "f0 + x^4 ((a - f0) + (1 - a) x^4), a = 0.55, x = 1 - cos_i",
+          std::array{row::f0},
+          "this library",
+          row::any_angle,
+          {0.0363, row::gems},
+          [](auto... x) { return powers_4_8(x...); }},
+    model{"powers_3_9",
+          model_kind::approximation,
+          "f0 + x^3 ((a - f0) + (1 - a) x^6), a = max(0.46, f0), x = 1 - cos_i",
+          std::array{row::f0},
+          "this library",
+          row::any_angle,
+          {0.0328, row::gems},
+          [](auto... x) { return powers_3_9(x...); }},
+    model{
+        "powers_3_6_9",
+        model_kind::approximation,
+        "f0 + y (p + y (q + y r)), y = (1 - cos_i)^3, p and q linear in sqrt(f0) and f0, p + q + r = 1 - f0",
+        std::array{row::f0},
+        "this library",
+        row::any_angle,
+        {0.00713, row::gems},
+        [](auto... x) { return powers_3_6_9(x...); }},
+    model{"one_minus_cos",
+          model_kind::approximation,
+          "1 - cos_i",
+          std::array<parameter, 0>{},
+          "Wloka 2002, Fresnel Reflection, fig. 4",
+          row::any_angle,
+          {0.542, row::gems},
+          [](auto... x) { return one_minus_cos(x...); }},
+    model{"constant",
+          model_kind::approximation,
+          "f0",
+          std::array{row::f0},
+          "no Fresnel effect",
+          row::any_angle,
+          {0.983, row::gems},
+          [](auto... x) { return constant(x...); }},
+
+    // conductors
+    model{"air_conductor",
+          model_kind::approximation,
+          "R_s = ((n - c)^2 + k^2) / ((n + c)^2 + k^2), R_p = ((n c - 1)^2 + k^2 c^2) / ((n c + 1)^2 + k^2 "
+          "c^2)",
+          std::array{row::n, row::k},
+          "Pharr and Humphreys, Physically Based Rendering; Lagarde 2013",
+          row::any_angle,
+          {0.0635, row::box},
+          [](auto... x) { return air_conductor(x...); }},
+    model{"lazanyi",
+          model_kind::approximation,
+          "schlick_nk(n, k) - a c x^alpha, x = 1 - c, c = cos_i",
+          std::array{row::n, row::k, parameter{"a", "1", 0, 2000, 0}, parameter{"alpha", "1", 0.1, 1000, 7}},
+          "Lazanyi and Szirmay-Kalos 2005, Fresnel Term Approximations for Metals",
+          row::any_angle,
+          {0.045, row::metals},
+          [](auto... x) { return lazanyi(x...); }},
+    model{"gulbrandsen",
+          model_kind::approximation,
+          "conductor(n, k), n = mix(n_max(r), n_min(r), g), k^2 = ((n + 1)^2 r - (n - 1)^2) / (1 - r)",
+          std::array{parameter{"r", "1", 0, 1, 0.9}, parameter{"g", "1", 0, 1, 0.5}},
+          "Gulbrandsen 2014, Artist Friendly Metallic Fresnel",
+          row::any_angle,
+          {1e-07, row::metals},
+          [](auto... x) { return gulbrandsen(x...); }},
+    model{"f82",
+          model_kind::approximation,
+          "f0 + (1 - f0) x^5 - b c x^6 through f82 at c = 1/7, x = 1 - c, c = cos_i",
+          std::array{row::f0, row::f82},
+          "Hoffman 2019, Fresnel Equations Considered Harmful",
+          row::any_angle,
+          {0.0516, row::metals},
+          [](auto... x) { return f82(x...); }},
+    model{"f82_tint",
+          model_kind::approximation,
+          "f82(f0, tint schlick(f0, 1/7))",
+          std::array{row::f0, parameter{"tint", "1", 0, 1, 1, true}},
+          "Kutz, Hasan and Edmondson 2021, Novel aspects of the Adobe Standard Material",
+          row::any_angle,
+          {0.0516, row::metals},
+          [](auto... x) { return f82_tint(x...); }},
+    model{"hoffman",
+          model_kind::approximation,
+          "f0 + (f90 - f0) x^power - b c x^6 through f82 at c = 1/7, x = 1 - c, c = cos_i",
+          std::array{row::f0, row::f82, row::f90, row::power},
+          "Hoffman 2019, Fresnel Equations Considered Harmful; MaterialX",
+          row::any_angle,
+          {0.0184, row::metals},
+          [](auto... x) { return hoffman(x...); }},
+    model{"powers_4_12",
+          model_kind::approximation,
+          "f0 + x^4 (p + q x^8) through f82 at cos_i = 1/7, x = 1 - cos_i",
+          std::array{row::f0, row::f82},
+          "this library",
+          row::any_angle,
+          {0.0342, row::metals},
+          [](auto... x) { return powers_4_12(x...); }},
+    model{"powers_2_8_16",
+          model_kind::approximation,
+          "f0 + c2 x^2 + c8 x^8 + c16 x^16 through f82 at cos_i = 1/7, x = 1 - cos_i",
+          std::array{row::f0, row::f82},
+          "this library",
+          row::any_angle,
+          {0.0357, row::metals},
+          [](auto... x) { return powers_2_8_16(x...); }},
+
+    // artistic
+    model{"bias_scale_power",
+          model_kind::artistic,
+          "saturate(bias + scale x^power), x = 1 - cos_i",
+          std::array{parameter{"bias", "1", -10, 10, 0, true}, parameter{"scale", "1", -10, 10, 1, true},
+                     row::power},
+          "Fernando and Kilgard 2003, The Cg Tutorial, ch. 7; Halladay 2014, Fresnel Shading",
+          row::any_angle,
+          {0.275, row::metals},
+          [](auto... x) { return bias_scale_power(x...); }},
+};
+
+/// Calls f(row) for every row, in order.
+template <class F>
+constexpr void for_each_model(F&& f) {
+    std::apply([&](const auto&... rows) { (f(rows), ...); }, registry);
+}
+
+} // namespace fresnel
