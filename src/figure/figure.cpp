@@ -1,0 +1,95 @@
+#include "figure/figure.hpp"
+
+#include "error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <unistd.h>
+
+namespace fresnel {
+
+namespace {
+
+std::string csv_cell(const std::string& text) {
+    if (text.find_first_of(",\"\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text)
+        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + "\"";
+}
+
+} // namespace
+
+void write_file(const std::string& path, const std::string& text) {
+    const std::string beside = fmt::format("{}.{}.part", path, getpid());
+    {
+        std::ofstream file(beside, std::ios::binary);
+        file.write(text.data(), static_cast<std::streamsize>(text.size()));
+        file.flush();
+        if (file && std::rename(beside.c_str(), path.c_str()) == 0) return;
+    }
+    std::remove(beside.c_str());
+    throw failure(fmt::format("{}: cannot be written", path));
+}
+
+nlohmann::json to_json(const figure& what) {
+    const auto axis_json = [](const axis& a) {
+        return nlohmann::json{{"label", a.label}, {"lo", a.lo}, {"hi", a.hi}, {"tick", a.tick}};
+    };
+    constexpr std::array<const char*, 4> styles = {"solid", "dashed", "dotted", "points"};
+    nlohmann::json curves = nlohmann::json::array(), markers = curves, rows = curves, surface;
+    for (std::size_t i = 0; i < what.panels.size(); ++i) {
+        const panel& p = what.panels[i];
+        for (const series& s : p.curves)
+            curves.push_back({{"label", s.label},
+                              {"panel", i},
+                              {"x", s.x},
+                              {"y", s.y},
+                              {"color", s.color},
+                              {"style", styles[static_cast<std::size_t>(s.style)]},
+                              {"width", s.width},
+                              {"x_axis", axis_json(p.x)},
+                              {"y_axis", axis_json(p.y)}});
+        for (const marker& m : p.markers)
+            markers.push_back({{"panel", i}, {"x", m.x}, {"y", m.y}, {"label", m.label}, {"color", m.color}});
+    }
+    for (const strip& s : what.colors.rows)
+        rows.push_back({{"label", s.label}, {"srgb8", s.pixels}, {"x_axis", axis_json(what.colors.x)}});
+    if (what.surface)
+        surface = {{"x", what.surface->x},
+                   {"y", what.surface->y},
+                   {"z", what.surface->z},
+                   {"x_axis", axis_json(what.surface->x_axis)},
+                   {"y_axis", axis_json(what.surface->y_axis)},
+                   {"z_axis", axis_json(what.surface->z_axis)}};
+    return {{"id", what.id},      {"title", what.title}, {"caption", what.caption}, {"series", curves},
+            {"markers", markers}, {"strips", rows},      {"surface", surface}};
+}
+
+std::string to_csv(const figure& what) {
+    std::vector<const series*> all;
+    std::string text;
+    std::size_t length = 0;
+    for (const panel& p : what.panels)
+        for (const series& s : p.curves) {
+            text += fmt::format("{}{},{}", all.empty() ? "" : ",", csv_cell("x of " + s.label),
+                                csv_cell(s.label));
+            all.push_back(&s);
+            length = std::max(length, s.x.size());
+        }
+    text += '\n';
+    for (std::size_t i = 0; i < length; ++i) {
+        for (const series* s : all) {
+            if (s != all.front()) text += ',';
+            text += i < s->x.size() ? fmt::format("{},{}", s->x[i], s->y[i]) : ",";
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+} // namespace fresnel

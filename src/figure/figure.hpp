@@ -1,0 +1,102 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+// A figure is data; the writers turn it into SVG, PNG, PDF, CSV and JSON. Text is plain: nothing in a label is
+// interpreted.
+
+namespace fresnel {
+
+enum class stroke { solid, dashed, dotted, points };
+
+/// One curve. A NaN in y is a gap. An empty label keeps it out of the legend.
+struct series {
+    std::string label;
+    std::vector<double> x, y;
+    std::string color = "#3b7dd8"; ///< #rrggbb
+    stroke style = stroke::solid;
+    double width = 2;
+};
+
+/// A point worth pointing at, with a thin line down to the axis.
+struct marker {
+    double x, y;
+    std::string label;
+    std::string color = "#808080";
+    bool below = false; ///< the label stands under the point instead of above it
+};
+
+/// label carries the unit: "angle of incidence θ (degrees)".
+struct axis {
+    std::string label;
+    double lo = 0, hi = 1;
+    double tick = 0; ///< distance of the ticks; 0 lets the writer choose
+};
+
+/// Curves over one pair of axes.
+struct panel {
+    axis x, y;
+    std::vector<series> curves;
+    std::vector<marker> markers;
+};
+
+/// A row of colours along the x axis of `strips`: 8-bit sRGB, the first at x.lo and the last at x.hi.
+struct strip {
+    std::string label;
+    std::vector<std::array<std::uint8_t, 3>> pixels;
+};
+
+struct strips {
+    axis x;
+    std::vector<strip> rows;
+};
+
+/// z[i][j] over x[i] and y[j], drawn in perspective.
+struct height_field {
+    axis x_axis, y_axis, z_axis;
+    std::vector<double> x, y;
+    std::vector<std::vector<double>> z;
+};
+
+/// What is drawn, top to bottom: the panels, the strips, or a surface.
+struct figure {
+    std::string id; ///< file name without its ending: letters, digits, - and _
+    std::string title, caption;
+    std::vector<panel> panels;
+    strips colors;
+    std::optional<height_field> surface;
+};
+
+enum class format { svg, png, pdf };
+
+/// Writes dir/ID.svg and so on for every figure, all by one gnuplot process. Each file appears complete or not at
+/// all. The SVG has a transparent background and text that follows the reader's light or dark scheme.
+/// Throws failure naming the file, or the package to install where gnuplot is missing; std::invalid_argument for a
+/// figure whose series or strips do not fit together.
+void write_figures(const std::vector<figure>& figures, const std::string& dir,
+                   const std::vector<format>& formats);
+
+/// The SVG text of a figure in dir, made to stand inside an HTML page: no XML header, no style of its own, ids
+/// that are unique to the figure; it takes its text colour from the page.
+std::string inline_svg(const figure& what, const std::string& dir);
+
+/// The whole figure, enough to draw it again: {id, title, caption, series: [{label, panel, x, y, color, style,
+/// width, x_axis, y_axis}], markers, strips, surface}. A NaN becomes null.
+nlohmann::json to_json(const figure& what);
+
+/// The series as columns: x and y of each, side by side; empty cells where a series is shorter.
+std::string to_csv(const figure& what);
+
+/// A plain picture of the rows, without axes, one pixel column per colour and `height` pixels per row.
+void write_strip_png(const std::string& path, const std::vector<strip>& rows, int height);
+
+/// Writes text to a file beside the wanted one and renames it. Throws failure naming the path.
+void write_file(const std::string& path, const std::string& text);
+
+} // namespace fresnel
