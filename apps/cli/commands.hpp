@@ -1,0 +1,33 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <string_view>
+
+// Each command adds itself to the application: its options, its help with examples, and what it does when
+// chosen. A command throws bad_input or failure (error.hpp); main prints them.
+
+namespace fresnel::cli {
+
+void add_models(CLI::App& app);
+void add_eval(CLI::App& app);
+void add_materials(CLI::App& app);
+void add_f0(CLI::App& app);
+void add_compare(CLI::App& app);
+
+/// A command with its one-line description and the examples that end its help.
+CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& description,
+                      const std::string& examples);
+
+/// Prints JSON, two spaces deep, numbers in the fewest digits that read back as the same double.
+void print_json(const nlohmann::json& value);
+
+/// Whether standard output is a terminal that wants colours (NO_COLOR is unset).
+bool colours_wanted();
+
+/// A number of the user's: decimal text to double. Throws bad_input naming the argument.
+double parse_number(std::string_view argument, std::string_view text);
+
+} // namespace fresnel::cli

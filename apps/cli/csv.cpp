@@ -1,0 +1,253 @@
+#include "csv.hpp"
+
+#include "analysis/model_table.hpp"
+#include "analysis/multi.hpp"
+#include "error.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <unistd.h>
+
+namespace fresnel::cli {
+
+namespace {
+
+using file_handle = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+// ---- numbers ----------------------------------------------------------------------------------------------
+
+template <class T>
+bool parse(std::string_view text, T& value) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (end != text.data() + text.size() || text.empty()) return false;
+    // an underflow to 0 or overflow to infinity is what strtod makes of it
+    if (error == std::errc::result_out_of_range)
+        value = static_cast<T>(std::strtod(std::string(text).c_str(), nullptr));
+    return error != std::errc::invalid_argument;
+}
+
+bool parse(std::string_view text, real50& value) {
+    double check = 0;
+    if (!parse(text, check)) return false;
+    value = real50(std::string(text));
+    return true;
+}
+
+template <class T>
+void append(std::string& line, T value) {
+    std::array<char, 32> digits;
+    const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+    line.append(digits.data(), end);
+}
+
+void append(std::string& line, const real50& value) { line += value.str(50); }
+
+// ---- reading ----------------------------------------------------------------------------------------------
+
+std::string_view trimmed(std::string_view cell) {
+    while (!cell.empty() && (cell.front() == ' ' || cell.front() == '\t'))
+        cell.remove_prefix(1);
+    while (!cell.empty() && (cell.back() == ' ' || cell.back() == '\t'))
+        cell.remove_suffix(1);
+    return cell;
+}
+
+void split(std::string_view line, std::vector<std::string_view>& cells) {
+    cells.clear();
+    for (std::size_t begin = 0;;) {
+        const std::size_t comma = line.find(',', begin);
+        cells.push_back(trimmed(line.substr(begin, comma - begin)));
+        if (comma == std::string_view::npos) return;
+        begin = comma + 1;
+    }
+}
+
+class line_reader {
+public:
+    explicit line_reader(const std::string& path) : file_(open(path)) {}
+    ~line_reader() { std::free(buffer_); }
+    line_reader(const line_reader&) = delete;
+    line_reader& operator=(const line_reader&) = delete;
+
+    // The next line without its end, or false at the end of the file.
+    bool next(std::string_view& line) {
+        const ssize_t size = getline(&buffer_, &capacity_, file_.get());
+        if (size < 0) return false;
+        ++number_;
+        line = {buffer_, static_cast<std::size_t>(size)};
+        if (line.ends_with('\n')) line.remove_suffix(1);
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        if (number_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
+        return true;
+    }
+    std::size_t number() const { return number_; }
+
+private:
+    static file_handle open(const std::string& path) {
+        if (path == "-") return {stdin, [](std::FILE*) { return 0; }};
+        if (std::filesystem::is_directory(path))
+            throw bad_input(fmt::format("--csv '{}': is a directory, not a file", path));
+        file_handle file(std::fopen(path.c_str(), "rb"), std::fclose);
+        if (!file) throw bad_input(fmt::format("--csv '{}': cannot be opened", path));
+        return file;
+    }
+
+    file_handle file_;
+    char* buffer_ = nullptr;
+    std::size_t capacity_ = 0;
+    std::size_t number_ = 0;
+};
+
+// ---- writing ----------------------------------------------------------------------------------------------
+
+// Standard output, or a file beside the wanted one that takes its name when everything is written.
+class row_writer {
+public:
+    explicit row_writer(const std::string& path)
+        : path_(path), beside_(path.empty() ? "" : fmt::format("{}.{}.part", path, getpid())),
+          file_(open(beside_, path)) {}
+    ~row_writer() {
+        if (!beside_.empty()) file_.reset(), std::remove(beside_.c_str());
+    }
+    row_writer(const row_writer&) = delete;
+    row_writer& operator=(const row_writer&) = delete;
+
+    void write(std::string_view line) {
+        if (std::fwrite(line.data(), 1, line.size(), file_.get()) != line.size()) fail();
+    }
+    void finish() {
+        if (std::fflush(file_.get()) != 0) fail();
+        if (beside_.empty()) return;
+        file_.reset();
+        if (std::rename(beside_.c_str(), path_.c_str()) != 0) fail();
+    }
+
+private:
+    static file_handle open(const std::string& beside, const std::string& path) {
+        if (beside.empty()) return {stdout, [](std::FILE*) { return 0; }};
+        if (std::filesystem::is_directory(path))
+            throw bad_input(fmt::format("--out '{}': is a folder; give a file", path));
+        file_handle file(std::fopen(beside.c_str(), "wb"), std::fclose);
+        if (!file)
+            throw bad_input(
+                fmt::format("--out '{}': cannot be written; give a file in a folder that can", path));
+        return file;
+    }
+    [[noreturn]] void fail() const {
+        throw failure(fmt::format("{}: cannot be written", path_.empty() ? "standard output" : path_));
+    }
+
+    std::string path_, beside_;
+    file_handle file_;
+};
+
+// ---- the stream -------------------------------------------------------------------------------------------
+
+// Where each of the model's parameters, and cos_i after them, stands in a row; absent ones keep their
+// default.
+struct layout {
+    std::vector<parameter> wanted;
+    std::vector<int> wanted_of_column;
+    std::vector<bool> present;
+};
+
+template <class T>
+layout read_header(std::string_view line, const model_row<T>& model) {
+    layout header{{model.parameters.begin(), model.parameters.end()}, {}, {}};
+    header.wanted.push_back(cosine);
+    header.present.resize(header.wanted.size());
+    std::vector<std::string> names;
+    for (const parameter& p : header.wanted)
+        names.emplace_back(p.name);
+
+    std::vector<std::string_view> cells;
+    split(line, cells);
+    for (std::size_t column = 0; column < cells.size(); ++column) {
+        const auto found = std::find(names.begin(), names.end(), cells[column]);
+        const std::string place = fmt::format("line 1, column {}", column + 1);
+        if (found == names.end())
+            throw bad_input(fmt::format("{}: '{}' is no argument of {}{}; it takes {}", place, cells[column],
+                                        model.name, did_you_mean(cells[column], names),
+                                        fmt::join(names, ", ")));
+        const auto index = static_cast<std::size_t>(found - names.begin());
+        if (header.present[index]) throw bad_input(fmt::format("{}: '{}' stands there twice", place, *found));
+        header.present[index] = true;
+        header.wanted_of_column.push_back(static_cast<int>(index));
+    }
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (!header.present[i] && !header.wanted[i].neutral)
+            throw bad_input(fmt::format("line 1: column {} of {} is missing", names[i], model.name));
+    return header;
+}
+
+template <class T>
+void read_row(const std::vector<std::string_view>& cells, const layout& header, std::size_t line,
+              std::vector<T>& values) {
+    if (cells.size() != header.wanted_of_column.size())
+        throw bad_input(fmt::format("line {}: has {} columns, the header {}", line, cells.size(),
+                                    header.wanted_of_column.size()));
+    for (std::size_t column = 0; column < cells.size(); ++column) {
+        const auto index = static_cast<std::size_t>(header.wanted_of_column[column]);
+        const parameter& p = header.wanted[index];
+        const auto place = [&] { return fmt::format("line {}, column {} ({})", line, column + 1, p.name); };
+        if (!parse(cells[column], values[index]))
+            throw bad_input(fmt::format("{}: '{}' is not a number", place(), cells[column]));
+        if (!(values[index] >= T(p.min) && values[index] <= T(p.max)))
+            throw bad_input(fmt::format("{}: {} is not in [{}, {}]", place(), cells[column], p.min, p.max));
+    }
+}
+
+template <class T>
+void append_results(std::string& line, const boundary<T>& result, bool polarised) {
+    const auto add = [&line](const T& value) { line += ',', append(line, value); };
+    if (!polarised) return add(result.R_s);
+    add(result.R_s), add(result.R_p), add(result.reflectance());
+    add(result.T_s), add(result.T_p), add(result.transmittance());
+}
+
+template <class T>
+void evaluate_rows(const model_row<T>& model, line_reader& input, row_writer& output) {
+    std::string_view line;
+    if (!input.next(line)) throw bad_input("line 1: the header is missing: the input is empty");
+    const layout header = read_header(line, model);
+    std::string out;
+    const auto emit = [&out, &output] { output.write(out += '\n'); };
+    out.assign(line) += model.polarised() ? ",Rs,Rp,R,Ts,Tp,T" : ",R";
+    emit();
+
+    std::vector<T> values;
+    for (const parameter& p : header.wanted)
+        values.emplace_back(T(p.default_value));
+    std::vector<std::string_view> cells;
+    while (input.next(line)) {
+        split(line, cells);
+        read_row(cells, header, input.number(), values);
+        out.assign(line);
+        append_results(out, model.evaluate(values.data(), values.back()), model.polarised());
+        emit();
+    }
+}
+
+} // namespace
+
+void evaluate_csv(const std::string& model, const std::string& input, const std::string& output,
+                  const std::string& type) {
+    find_model<double>(model);
+    line_reader reader(input);
+    row_writer writer(output);
+    if (type == "float")
+        evaluate_rows(find_model<float>(model), reader, writer);
+    else if (type == "double")
+        evaluate_rows(find_model<double>(model), reader, writer);
+    else
+        evaluate_rows(find_model<real50>(model), reader, writer);
+    writer.finish();
+}
+
+} // namespace fresnel::cli

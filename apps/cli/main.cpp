@@ -1,0 +1,91 @@
+#include "commands.hpp"
+
+#include "error.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdio>
+#include <unistd.h>
+
+namespace fresnel::cli {
+
+CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& description,
+                      const std::string& examples) {
+    CLI::App* command = app.add_subcommand(name, description);
+    command->footer("Examples:\n" + examples);
+    return command;
+}
+
+void print_json(const nlohmann::json& value) { fmt::print("{}\n", value.dump(2)); }
+
+bool colours_wanted() { return isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr; }
+
+double parse_number(std::string_view argument, std::string_view text) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc{} && end == text.data() + text.size()) return value;
+    throw bad_input(fmt::format("{} = '{}': is not a number", argument, text));
+}
+
+namespace {
+
+void build(CLI::App& app) {
+    app.require_subcommand(1);
+    app.set_version_flag("--version", "fresnel " FRESNEL_VERSION);
+    app.footer(
+        "Examples:\n"
+        "  fresnel f0 copper                          F0, F82 and hex of copper, with how they were made\n"
+        "  fresnel compare copper gold --out out      which approximation to use, as a report with figures\n"
+        "  fresnel eval dielectric --n-t 1.5 --theta 56.31\n"
+        "  fresnel models schlick                     equation, parameters, error and source of one model\n"
+        "`fresnel COMMAND --help` shows the options and examples of a command.");
+    add_models(app);
+    add_eval(app);
+    add_materials(app);
+    add_f0(app);
+    add_compare(app);
+}
+
+// A misspelt command is told apart from a misspelt option, so that the nearest command can be named.
+void check_command(const CLI::App& app, int argc, char** argv) {
+    if (argc < 2 || argv[1][0] == '-') return;
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands({}))
+        names.push_back(command->get_name());
+    for (const std::string& name : names)
+        if (name == argv[1]) return;
+    throw bad_input(fmt::format("command '{}' is unknown{}; `fresnel --help` lists them", argv[1],
+                                did_you_mean(argv[1], names)));
+}
+
+int report(std::string_view message, int code) {
+    std::string line(message.substr(0, message.find('\n')));
+    fmt::print(stderr, "fresnel: {}\n", line);
+    return code;
+}
+
+int run(int argc, char** argv) {
+    CLI::App app{"Fresnel reflectance for rendering: exact, approximate, measured.", "fresnel"};
+    build(app);
+    try {
+        check_command(app, argc, argv);
+        app.parse(argc, argv);
+        if (std::fflush(stdout) != 0) return report("standard output: cannot be written", 1);
+        return 0;
+    } catch (const CLI::Success& request) {
+        return app.exit(request); // --help, --version
+    } catch (const CLI::ParseError& error) {
+        return report(error.what(), 2);
+    } catch (const bad_input& error) {
+        return report(error.what(), 2);
+    } catch (const std::exception& error) {
+        return report(error.what(), 1);
+    }
+}
+
+} // namespace
+
+} // namespace fresnel::cli
+
+int main(int argc, char** argv) { return fresnel::cli::run(argc, argv); }

@@ -1,0 +1,185 @@
+#include "analysis/compare.hpp"
+
+#include "materials/observer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fresnel {
+
+namespace {
+
+channel channel_of(const rgb_curve& exact, const normal_colour& colour, std::size_t i) {
+    channel result{exact.theta_deg, exact.cos_i, {}, colour.f0[i], colour.f82[i], colour.ambient};
+    for (const rgb& value : exact.value)
+        result.R.push_back(value[i]);
+    return result;
+}
+
+// The integral of f 2 c dc over [0, 1] from samples against theta: trapezoids in c^2.
+double cosine_integral(const std::vector<double>& cos_i, const std::vector<double>& f) {
+    double sum = 0;
+    for (std::size_t i = 1; i < f.size(); ++i)
+        sum += (f[i] + f[i - 1]) / 2 * (square(cos_i[i - 1]) - square(cos_i[i]));
+    return sum;
+}
+
+curve_error measure(const rgb_curve& exact, const std::vector<rgb>& model) {
+    curve_error error{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        std::vector<double> difference;
+        double squares = 0;
+        for (std::size_t a = 0; a < model.size(); ++a) {
+            difference.push_back(std::abs(model[a][i] - exact.value[a][i]));
+            squares += square(difference.back());
+            if (difference.back() > error.max[i])
+                error.max[i] = difference.back(), error.max_theta[i] = exact.theta_deg[a];
+        }
+        error.rms[i] = std::sqrt(squares / static_cast<double>(model.size()));
+        error.cosine[i] = cosine_integral(exact.cos_i, difference);
+    }
+    for (std::size_t a = 0; a < model.size(); ++a) {
+        const double difference = delta_e_2000(exact.value[a], model[a], exact.space);
+        if (difference > error.delta_e_max)
+            error.delta_e_max = difference, error.delta_e_theta = exact.theta_deg[a];
+    }
+    return error;
+}
+
+surface_class classify(const material& substance, double ambient) {
+    double lowest = 1e9, highest = 0, k = 0;
+    for (double nm = 400; nm <= 700; nm += 10) {
+        const optical_index index = index_at(substance, nm);
+        lowest = std::min(lowest, index.n), highest = std::max(highest, index.n), k = std::max(k, index.k);
+    }
+    if (k > 0.1) return surface_class::metal;
+    if (highest == ambient && lowest == ambient) return surface_class::matched;
+    return (lowest + highest) / 2 < ambient ? surface_class::internal : surface_class::dielectric;
+}
+
+model_fit fit_model(std::string_view name, const std::array<channel, 3>& channels, const rgb_curve& exact) {
+    model_fit result{std::string(name), {}, std::vector<rgb>(exact.cos_i.size()), {}, 0, 0};
+    for (std::size_t i = 0; i < 3; ++i) {
+        result.values[i] = fit(name, channels[i]);
+        const std::vector<double> R = evaluate(name, result.values[i], exact.cos_i);
+        for (std::size_t a = 0; a < R.size(); ++a)
+            result.curve[a][i] = R[a];
+    }
+    result.error = measure(exact, result.curve);
+    result.cost = 3 * count_operations(name).cost();
+    return result;
+}
+
+void rank(std::vector<model_fit>& models) {
+    std::stable_sort(models.begin(), models.end(), [](const model_fit& a, const model_fit& b) {
+        return a.error.worst() < b.error.worst();
+    });
+    for (std::size_t i = 0; i < models.size(); ++i)
+        models[i].rank = static_cast<int>(i) + 1;
+}
+
+std::size_t recommend(const std::vector<model_fit>& models) {
+    const auto physical = [](const model_fit& m) {
+        return find_model<double>(m.name).kind != model_kind::artistic;
+    };
+    for (const double limit : {invisible, slight}) {
+        std::size_t best = models.size();
+        for (std::size_t i = 0; i < models.size(); ++i)
+            if (physical(models[i]) && models[i].error.delta_e_max <= limit &&
+                (best == models.size() || models[i].cost < models[best].cost))
+                best = i;
+        if (best < models.size()) return best;
+    }
+    const auto less = [](const model_fit& a, const model_fit& b) {
+        return a.error.delta_e_max < b.error.delta_e_max;
+    };
+    return static_cast<std::size_t>(std::min_element(models.begin(), models.end(), less) - models.begin());
+}
+
+constexpr std::array<std::string_view, 3> channel_names = {"red", "green", "blue"};
+
+std::string loss(const model_fit& m) {
+    const std::size_t i = m.error.worst_channel();
+    return fmt::format("off by at most {:.3f}, in {} at {:.0f}°, ΔE {:.1f}", m.error.max[i], channel_names[i],
+                       m.error.max_theta[i], m.error.delta_e_max);
+}
+
+} // namespace
+
+std::size_t curve_error::worst_channel() const {
+    return static_cast<std::size_t>(std::max_element(max.begin(), max.end()) - max.begin());
+}
+
+const model_fit* comparison::find(std::string_view model) const {
+    for (const model_fit& m : models)
+        if (m.name == model) return &m;
+    return nullptr;
+}
+
+comparison compare(const material& substance, color_space space, double ambient) {
+    comparison result{colour_at_normal(substance, space, ambient),
+                      exact_curve(substance, space, ambient),
+                      classify(substance, ambient),
+                      {},
+                      0};
+    std::array<channel, 3> channels;
+    for (std::size_t i = 0; i < 3; ++i)
+        channels[i] = channel_of(result.exact, result.colour, i);
+    for (const std::string_view name : models_for(result.surface))
+        result.models.push_back(fit_model(name, channels, result.exact));
+    rank(result.models);
+    result.recommended = recommend(result.models);
+    return result;
+}
+
+std::string verdict(const comparison& result) {
+    const model_fit& best = result.best_choice();
+    const std::string seen = best.error.delta_e_max <= invisible ? "which is not seen"
+                             : best.error.delta_e_max <= slight  ? "which is barely seen"
+                                                                 : "which can be seen";
+    std::string text = fmt::format("Use {}: it is {}, {}", best.name, loss(best), seen);
+    const model_fit* schlick = result.find("schlick");
+    if (schlick != nullptr && schlick != &best)
+        text += fmt::format("; Schlick's would be {}", loss(*schlick));
+    text += ".";
+    if (!in_gamut(result.colour.f0))
+        text +=
+            fmt::format(" Its F0 lies outside {}, which no model in [0, 1] can follow: compare in acescg.",
+                        to_string(result.colour.space));
+    return text;
+}
+
+nlohmann::json to_json(const comparison& result) {
+    nlohmann::json models = nlohmann::json::array();
+    for (const model_fit& m : result.models) {
+        nlohmann::json values = nlohmann::json::object();
+        const auto wanted = find_model<double>(m.name).parameters;
+        for (std::size_t p = 0; p < wanted.size(); ++p)
+            values[std::string(wanted[p].name)] = {m.values[0][p], m.values[1][p], m.values[2][p]};
+        models.push_back({{"name", m.name},
+                          {"rank", m.rank},
+                          {"parameters", values},
+                          {"max_error", m.error.max},
+                          {"max_error_theta", m.error.max_theta},
+                          {"rms_error", m.error.rms},
+                          {"cosine_error", m.error.cosine},
+                          {"delta_e_max", m.error.delta_e_max},
+                          {"delta_e_theta", m.error.delta_e_theta},
+                          {"operations", m.cost}});
+    }
+    const normal_colour& colour = result.colour;
+    return {{"name", colour.material},
+            {"page", colour.page.empty() ? nlohmann::json() : nlohmann::json(colour.page)},
+            {"space", to_string(colour.space)},
+            {"ambient", colour.ambient},
+            {"recipe", colour.recipe},
+            {"f0", colour.f0},
+            {"f82", colour.f82},
+            {"recommended", result.best_choice().name},
+            {"verdict", verdict(result)},
+            {"models", models}};
+}
+
+} // namespace fresnel

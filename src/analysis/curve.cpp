@@ -1,0 +1,105 @@
+#include "analysis/curve.hpp"
+
+#include "analysis/fit.hpp"
+#include "error.hpp"
+#include "materials/observer.hpp"
+
+#include <fresnel/exact.hpp>
+
+#include <fmt/format.h>
+
+#include <boost/math/quadrature/gauss.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace fresnel {
+
+namespace {
+
+// The indices of a material at every wavelength of the recipe: looked up once, used at every angle.
+struct index_spectrum {
+    std::vector<optical_index> at;
+
+    index_spectrum(const material& substance, const std::vector<double>& wavelength_nm) {
+        for (const double nm : wavelength_nm)
+            at.push_back(index_at(substance, nm));
+    }
+    std::vector<double> reflectance(double ambient, double cos_i) const {
+        std::vector<double> R;
+        R.reserve(at.size());
+        for (const optical_index& index : at)
+            R.push_back(conductor(ambient, index.n, index.k, cos_i).reflectance());
+        return R;
+    }
+};
+
+// The integral of R 2 c dc. A critical angle makes R end in a square root, which the substitution
+// c = c_0 + (1 - c_0) t^2 above it takes away; below it R is 1.
+double hemispherical_average(double ambient, optical_index index) {
+    const double sin_c = index.n / ambient;
+    const double c_0 = index.k == 0 && sin_c < 1 ? std::sqrt((1 - sin_c) * (1 + sin_c)) : 0;
+    const auto integrand = [&](double t) {
+        const double c = c_0 + (1 - c_0) * t * t;
+        return conductor(ambient, index.n, index.k, c).reflectance() * 4 * c * (1 - c_0) * t;
+    };
+    return (index.n == ambient && index.k == 0 ? 0 : c_0 * c_0) +
+           boost::math::quadrature::gauss<double, 30>::integrate(integrand, 0.0, 1.0);
+}
+
+} // namespace
+
+double cosine_of_degrees(double theta_deg) {
+    return theta_deg == 90 ? 0 : theta_deg == 60 ? 0.5 : std::cos(theta_deg * std::numbers::pi / 180);
+}
+
+double degrees_of_cosine(double cos_i) { return std::acos(cos_i) * 180 / std::numbers::pi; }
+
+spectral_surface exact_surface(const material& substance, double ambient, std::vector<double> wavelength_nm,
+                               std::vector<double> theta_deg) {
+    const index_spectrum indices(substance, wavelength_nm);
+    spectral_surface surface{std::move(wavelength_nm), std::move(theta_deg), {}, {}};
+    for (const double theta : surface.theta_deg) {
+        surface.cos_i.push_back(cosine_of_degrees(theta));
+        surface.R.push_back(indices.reflectance(ambient, surface.cos_i.back()));
+    }
+    return surface;
+}
+
+rgb_curve exact_curve(const material& substance, color_space space, double ambient, double step_deg) {
+    const recipe& how = default_recipe(space);
+    const index_spectrum indices(substance, how.wavelength_nm);
+    rgb_curve curve{space, {}, {}, {}};
+    const int steps = static_cast<int>(std::lround(90 / step_deg));
+    for (int i = 0; i <= steps; ++i) {
+        curve.theta_deg.push_back(90.0 * i / steps);
+        curve.cos_i.push_back(cosine_of_degrees(curve.theta_deg.back()));
+        curve.value.push_back(integrate(how, indices.reflectance(ambient, curve.cos_i.back())));
+    }
+    return curve;
+}
+
+normal_colour colour_at_normal(const material& substance, color_space space, double ambient) {
+    const recipe& how = default_recipe(space);
+    const index_spectrum indices(substance, how.wavelength_nm);
+    normal_colour result{substance.name, substance.page, space, ambient, {}, {}, {}, {}, {}, {}, how.text};
+    result.f0 = integrate(how, indices.reflectance(ambient, 1));
+    result.f82 = integrate(how, indices.reflectance(ambient, ratio<double, 1, 7>()));
+    std::vector<double> average;
+    for (const optical_index& index : indices.at)
+        average.push_back(hemispherical_average(ambient, index));
+    result.average = integrate(how, average);
+
+    const rgb_curve exact = exact_curve(substance, space, ambient, 1);
+    for (std::size_t i = 0; i < 3; ++i) {
+        result.f82_tint[i] = result.f82[i] / schlick(result.f0[i], ratio<double, 1, 7>());
+        channel one{exact.theta_deg, exact.cos_i, {}, result.f0[i], result.f82[i], ambient};
+        for (const rgb& value : exact.value)
+            one.R.push_back(value[i]);
+        const edge_tint tint = fit_gulbrandsen(one);
+        result.gulbrandsen_r[i] = tint.r, result.gulbrandsen_g[i] = tint.g;
+    }
+    return result;
+}
+
+} // namespace fresnel

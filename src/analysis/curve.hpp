@@ -1,0 +1,53 @@
+#pragma once
+
+#include "materials/catalog.hpp"
+
+#include <fresnel/color.hpp>
+#include <fresnel/material.hpp>
+
+#include <string>
+#include <vector>
+
+namespace fresnel {
+
+/// cos of an angle in degrees, exact at 0, 60 and 90.
+double cosine_of_degrees(double theta_deg);
+double degrees_of_cosine(double cos_i);
+
+/// Reflectance of a material over wavelength and angle.
+struct spectral_surface {
+    std::vector<double> wavelength_nm;
+    std::vector<double> theta_deg, cos_i;
+    std::vector<std::vector<double>> R; ///< R[angle][wavelength]
+};
+
+/// Exact unpolarised reflectance at those wavelengths and cosines; ambient is the index of the medium
+/// outside.
+spectral_surface exact_surface(const material& substance, double ambient, std::vector<double> wavelength_nm,
+                               std::vector<double> theta_deg);
+
+/// Reflectance against the angle of incidence, as colours of one space.
+struct rgb_curve {
+    color_space space;
+    std::vector<double> theta_deg, cos_i; ///< uniform in theta, 0 to 90 degrees
+    std::vector<rgb> value;
+};
+
+/// The exact curve: integrated over the spectrum first and turned into RGB after.
+rgb_curve exact_curve(const material& substance, color_space space, double ambient, double step_deg = 0.25);
+
+/// What an artist types in: the colours of a surface at normal incidence and at cos_i = 1/7.
+struct normal_colour {
+    std::string material, page;
+    color_space space;
+    double ambient;
+    rgb f0, f82;
+    rgb f82_tint; ///< f82 / schlick(f0, 1/7)
+    rgb gulbrandsen_r, gulbrandsen_g;
+    rgb average; ///< hemispherical: the integral of R 2 c dc
+    std::string recipe;
+};
+
+normal_colour colour_at_normal(const material& substance, color_space space, double ambient);
+
+} // namespace fresnel

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "analysis/model_table.hpp"
+
+#include <string>
+#include <vector>
+
+namespace fresnel {
+
+/// One colour channel (or one wavelength) of an exact curve, to be approximated.
+struct channel {
+    std::vector<double> theta_deg, cos_i; ///< uniform in theta, from 0 to 90 degrees
+    std::vector<double> R;                ///< exact reflectance at those angles
+    double f0, f82;                       ///< exact reflectance at cos_i = 1 and 1/7
+    double ambient;                       ///< index of the ambient medium
+};
+
+/// What a surface is, as far as the choice of models goes.
+enum class surface_class {
+    metal,      ///< k matters
+    dielectric, ///< k = 0 and denser than the ambient medium
+    internal,   ///< k = 0 and thinner: there is a critical angle
+    matched     ///< there is no boundary to see: only f0 is used
+};
+
+/// Parameters of a model for one channel, in the order of its registry row.
+using parameters = std::vector<double>;
+
+/// The models worth comparing on that class of surface, in the order of the registry.
+std::vector<std::string_view> models_for(surface_class surface);
+
+/// The best parameters of a model for a channel, inside the ranges of the registry.
+///
+/// f0 and f82 are the exact values; what is left is found by least squares over theta: the power of Schlick,
+/// Lazanyi's alpha and Gulbrandsen's g by golden section, Lazanyi's a, f90, bias and scale by linear least
+/// squares. n and k are those of Gulbrandsen's family through f0.
+/// Throws bad_input for an unknown model.
+parameters fit(std::string_view model, const channel& exact);
+
+/// The model with those parameters at the channel's angles.
+std::vector<double> evaluate(std::string_view model, const parameters& values,
+                             const std::vector<double>& cos_i);
+
+/// Gulbrandsen's (r, g) of least squares, and the index (n, k) relative to the ambient medium they stand for.
+struct edge_tint {
+    double r, g, n, k;
+};
+edge_tint fit_gulbrandsen(const channel& exact);
+
+/// Index of Gulbrandsen's parameters; r is limited to 0.9999 as in the model.
+edge_tint index_of(double r, double g);
+
+} // namespace fresnel

@@ -1,0 +1,144 @@
+#include "analysis/model_table.hpp"
+
+#include "analysis/multi.hpp"
+#include "error.hpp"
+
+#include <fmt/format.h>
+
+namespace fresnel {
+
+namespace {
+
+template <class T>
+boundary<T> as_boundary(boundary<T> exact) {
+    return exact;
+}
+
+template <class T>
+boundary<T> as_boundary(T reflectance) {
+    return {reflectance, reflectance, 1 - reflectance, 1 - reflectance};
+}
+
+// Each row's callable is known at compile time by its place in the registry, so a plain function pointer can
+// stand for it.
+template <class T, std::size_t i>
+boundary<T> evaluate_row(const T* parameters, T cos_i) {
+    return as_boundary<T>(evaluate(std::get<i>(registry), parameters, cos_i));
+}
+
+template <class T, std::size_t i>
+model_row<T> make_row() {
+    constexpr const auto& row = std::get<i>(registry);
+    return {row.name,     row.kind,   row.equation, row.parameters,
+            row.citation, row.domain, row.error,    &evaluate_row<T, i>};
+}
+
+template <class T>
+std::vector<model_row<T>> make_table() {
+    return []<std::size_t... i>(std::index_sequence<i...>) {
+        return std::vector<model_row<T>>{make_row<T, i>()...};
+    }(std::make_index_sequence<std::tuple_size_v<decltype(registry)>>{});
+}
+
+// Counts what it does. A constant is a number made of integers alone: every compiler folds those, so they are
+// free.
+struct counting {
+    static inline operation_count total{};
+    double value;
+    bool constant = false;
+
+    counting(int v) : value(v), constant(true) {}
+    explicit counting(double v) : value(v) {}
+
+    static counting counted(double v, int& kind, int cost, bool constant) {
+        if (!constant) kind += cost;
+        counting result(v);
+        result.constant = constant;
+        return result;
+    }
+    static counting cheap(double v, counting a, counting b) {
+        return counted(v, total.cheap, 1, a.constant && b.constant);
+    }
+    friend counting operator+(counting a, counting b) { return cheap(a.value + b.value, a, b); }
+    friend counting operator-(counting a, counting b) { return cheap(a.value - b.value, a, b); }
+    friend counting operator-(counting a) { return counting(-a.value); }
+    friend counting operator*(counting a, counting b) { return cheap(a.value * b.value, a, b); }
+    friend counting operator/(counting a, counting b) {
+        return counted(a.value / b.value, total.division, 1, a.constant && b.constant);
+    }
+    friend bool operator<(counting a, counting b) { return ++total.cheap, a.value < b.value; }
+    friend bool operator>(counting a, counting b) { return b < a; }
+    friend bool operator<=(counting a, counting b) { return ++total.cheap, a.value <= b.value; }
+    friend bool operator>=(counting a, counting b) { return b <= a; }
+    friend counting select(bool mask, counting a, counting b) { return ++total.cheap, mask ? a : b; }
+    friend counting abs(counting a) { return counting(std::abs(a.value)); }
+    friend counting sqrt(counting a) { return counted(std::sqrt(a.value), total.root, 1, a.constant); }
+    friend counting exp2(counting a) {
+        return counted(std::exp2(a.value), total.transcendental, 4, a.constant);
+    }
+    friend counting log2(counting a) {
+        return counted(std::log2(a.value), total.transcendental, 4, a.constant);
+    }
+    friend counting pow(counting a, counting b) {
+        return counted(std::pow(a.value, b.value), total.transcendental, 9, a.constant && b.constant);
+    }
+};
+
+} // namespace
+
+template <class T>
+const std::vector<model_row<T>>& model_table() {
+    static const std::vector<model_row<T>> table = make_table<T>();
+    return table;
+}
+
+template <class T>
+const model_row<T>& find_model(std::string_view name) {
+    std::vector<std::string> names;
+    for (const model_row<T>& row : model_table<T>()) {
+        if (row.name == name) return row;
+        names.emplace_back(row.name);
+    }
+    throw bad_input(
+        fmt::format("model '{}' is unknown{}; `fresnel models` lists them", name, did_you_mean(name, names)));
+}
+
+template const std::vector<model_row<float>>& model_table();
+template const std::vector<model_row<double>>& model_table();
+template const std::vector<model_row<real50>>& model_table();
+template const model_row<float>& find_model(std::string_view);
+template const model_row<double>& find_model(std::string_view);
+template const model_row<real50>& find_model(std::string_view);
+
+void check_range(const parameter& p, double value) {
+    if (value >= p.min && value <= p.max) return;
+    throw bad_input(fmt::format("{} = {}: must be in [{}, {}]", p.name, value, p.min, p.max));
+}
+
+std::string_view to_string(model_kind kind) {
+    switch (kind) {
+    case model_kind::exact:
+        return "exact";
+    case model_kind::approximation:
+        return "approximation";
+    case model_kind::artistic:
+        return "artistic";
+    }
+    return "";
+}
+
+operation_count count_operations(std::string_view name) {
+    const model_row<double>& model = find_model<double>(name);
+    std::vector<counting> values;
+    for (const parameter& p : model.parameters)
+        values.emplace_back(p.default_value);
+    counting::total = {};
+    for_each_model([&](const auto& row) {
+        if (row.name != name) return;
+        const auto result = evaluate(row, values, counting(0.5));
+        if constexpr (!std::is_same_v<std::remove_cv_t<decltype(result)>, counting>) result.reflectance();
+    });
+    return counting::total;
+}
+
+} // namespace fresnel

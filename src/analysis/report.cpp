@@ -1,0 +1,346 @@
+#include "analysis/report.hpp"
+
+#include "error.hpp"
+#include "figure/figure.hpp"
+#include "materials/observer.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include <unistd.h>
+
+namespace fresnel {
+
+namespace {
+
+constexpr std::array<const char*, 3> channel_colors = {"#d92b2b", "#1fa84a", "#3b6fd4"};
+// at least 3 : 1 against white and #14171b, and apart from each other under colour blindness
+constexpr std::array<const char*, 6> model_colors = {"#0072b2", "#d55e00", "#1f9d78",
+                                                     "#9b4df0", "#b58a5a", "#d966a8"};
+
+const axis theta_axis = {"angle of incidence θ (degrees)", 0, 90, 15};
+
+// A name that is safe in a file name and as an id: anything else becomes a dash.
+std::string slug(std::string name) {
+    name = std::filesystem::path(name).filename().string();
+    for (char& c : name)
+        if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '-';
+    return name;
+}
+
+// ---- figures ----------------------------------------------------------------------------------------------
+
+series channel_series(const std::vector<rgb>& values, const std::vector<double>& theta, std::size_t channel) {
+    series s{"", theta, {}, channel_colors[channel]};
+    for (const rgb& v : values)
+        s.y.push_back(v[channel]);
+    return s;
+}
+
+// The smallest multiple of step below, and above.
+double floor_to(double value, double step) { return std::floor(value / step) * step; }
+double ceil_to(double value, double step) { return std::ceil(value / step) * step; }
+
+// Exact curves, the recommended model and Schlick's, with the recommended model's worst angle.
+figure curves_figure(const report_entry& entry, const std::string& name) {
+    const comparison& r = entry.result;
+    const model_fit& best = r.best_choice();
+    figure f{name + "-curves",
+             entry.substance.name + ": exact reflectance and " + best.name,
+             verdict(r),
+             {},
+             {},
+             {}};
+    panel p{
+        theta_axis,
+        {fmt::format("reflectance ({})", r.colour.recipe.substr(r.colour.recipe.rfind(", ") + 2)), 0, 1, 0},
+        {},
+        {}};
+    double lowest = 1, highest = 1;
+    const auto add = [&](const std::vector<rgb>& values, const std::string& label, stroke style,
+                         double width) {
+        constexpr std::array<const char*, 3> letters = {"R", "G", "B"};
+        for (std::size_t c = 0; c < 3; ++c) {
+            p.curves.push_back(channel_series(values, r.exact.theta_deg, c));
+            series& s = p.curves.back();
+            if (style == stroke::solid || c == 0)
+                s.label = style == stroke::solid ? fmt::format("{} {}", label, letters[c]) : label;
+            s.style = style, s.width = width;
+            for (const double y : s.y)
+                lowest = std::min(lowest, y), highest = std::max(highest, y);
+        }
+    };
+    add(r.exact.value, "exact", stroke::solid, 2.2);
+    if (const model_fit* schlick = r.find("schlick"); schlick != nullptr && schlick != &best)
+        add(schlick->curve, "schlick", stroke::dotted, 1.6);
+    add(best.curve, best.name, stroke::dashed, 1.8);
+    p.y.tick = lowest < 0.5 ? 0.2 : 0.1;
+    p.y.lo = std::max(0.0, floor_to(lowest - 0.02, p.y.tick)),
+    p.y.hi = highest > 1.001 ? ceil_to(highest, 0.05) : 1;
+
+    const std::size_t c = best.error.worst_channel();
+    const auto at = static_cast<std::size_t>(
+        std::lower_bound(r.exact.theta_deg.begin(), r.exact.theta_deg.end(), best.error.max_theta[c]) -
+        r.exact.theta_deg.begin());
+    p.markers.push_back({best.error.max_theta[c], best.curve[at][c],
+                         fmt::format("worst: {:.3f} at {:.0f}°", best.error.max[c], best.error.max_theta[c]),
+                         channel_colors[c]});
+    f.panels.push_back(std::move(p));
+    return f;
+}
+
+// Signed errors of the best models, the recommended one and Schlick's, each in its worst channel.
+figure errors_figure(const report_entry& entry, const std::string& name) {
+    const comparison& r = entry.result;
+    std::vector<const model_fit*> chosen = {&r.best_choice()};
+    if (const model_fit* schlick = r.find("schlick"); schlick != nullptr && schlick != chosen[0])
+        chosen.push_back(schlick);
+    for (const model_fit& m : r.models)
+        if (chosen.size() < model_colors.size() &&
+            std::find(chosen.begin(), chosen.end(), &m) == chosen.end())
+            chosen.push_back(&m);
+
+    panel p{theta_axis, {"model − exact, worst channel", 0, 0, 0}, {}, {}};
+    double lowest = -1e-6, highest = 1e-6;
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        const model_fit& m = *chosen[i];
+        const std::size_t c = m.error.worst_channel();
+        series s{m.name,
+                 r.exact.theta_deg,
+                 {},
+                 model_colors[i],
+                 i == 0 ? stroke::solid : stroke::dashed,
+                 i == 0 ? 2.4 : 1.8};
+        for (std::size_t a = 0; a < m.curve.size(); ++a) {
+            s.y.push_back(m.curve[a][c] - r.exact.value[a][c]);
+            lowest = std::min(lowest, s.y.back()), highest = std::max(highest, s.y.back());
+            if (i < 2 && r.exact.theta_deg[a] == m.error.max_theta[c])
+                p.markers.push_back({r.exact.theta_deg[a], s.y.back(),
+                                     fmt::format("{:.3f} at {:.0f}°", m.error.max[c], m.error.max_theta[c]),
+                                     s.color, i == 0});
+        }
+        p.curves.push_back(std::move(s));
+    }
+    const double room = 0.15 * (highest - lowest);
+    p.y.lo = lowest - room, p.y.hi = highest + room;
+    return {name + "-errors",
+            entry.substance.name + ": error of the models",
+            "Solid: the recommended model.",
+            {p},
+            {},
+            {}};
+}
+
+strip make_strip(const std::string& label, const std::vector<rgb>& values, color_space space) {
+    strip s{label, {}};
+    for (std::size_t a = 0; a < values.size(); a += 2)
+        s.pixels.push_back(encode_srgb8(to_srgb(values[a], space)));
+    return s;
+}
+
+figure strips_figure(const report_entry& entry, const std::string& name) {
+    const comparison& r = entry.result;
+    strips all{theta_axis, {make_strip("exact", r.exact.value, r.exact.space)}};
+    for (const model_fit& m : r.models)
+        all.rows.push_back(make_strip(m.name, m.curve, r.exact.space));
+    return {name + "-strips",
+            entry.substance.name + ": colour against angle, models by rank",
+            "The reflected colour of white light, in sRGB.",
+            {},
+            all,
+            {}};
+}
+
+figure surface_figure(const report_entry& entry, const std::string& name) {
+    std::vector<double> wavelengths, angles;
+    for (int nm = 380; nm <= 780; nm += 20)
+        wavelengths.push_back(nm);
+    for (int theta = 0; theta <= 90; theta += 3)
+        angles.push_back(theta);
+    const spectral_surface s =
+        exact_surface(entry.substance, entry.result.colour.ambient, wavelengths, angles);
+    height_field h{{"wavelength (nm)", 380, 780, 100},
+                   {"θ (degrees)", 0, 90, 30},
+                   {"reflectance", 0, 1, 0.25},
+                   wavelengths,
+                   angles,
+                   {}};
+    for (std::size_t w = 0; w < wavelengths.size(); ++w) {
+        std::vector<double>& column = h.z.emplace_back();
+        for (std::size_t a = 0; a < angles.size(); ++a)
+            column.push_back(s.R[a][w]);
+    }
+    return {name + "-surface",
+            entry.substance.name + ": reflectance over wavelength and angle",
+            "Exact, unpolarised.",
+            {},
+            {},
+            h};
+}
+
+std::vector<figure> figures_of(const report_entry& entry) {
+    const std::string name = slug(entry.substance.name);
+    return {curves_figure(entry, name), errors_figure(entry, name), strips_figure(entry, name),
+            surface_figure(entry, name)};
+}
+
+// ---- the page ---------------------------------------------------------------------------------------------
+
+constexpr const char* style = R"(
+:root { color-scheme: light dark; --text: #1b1f24; --soft: #59636e; --line: #d5dae0; --ground: #ffffff; --card: #f6f8fa; --mark: #0b6e4f; }
+@media (prefers-color-scheme: dark) { :root { --text: #e3e6ea; --soft: #9aa4af; --line: #363d46; --ground: #14171b; --card: #1d2127; --mark: #5fd3a5; } }
+body { margin: 0 auto; max-width: 62rem; padding: 2rem 1.25rem 4rem; background: var(--ground); color: var(--text); font: 16px/1.5 system-ui, "DejaVu Sans", sans-serif; }
+h1 { font-size: 1.9rem; line-height: 1.2; margin: 0 0 .4rem; } h2 { font-size: 1.4rem; margin: 3rem 0 .3rem; } p { margin: .5rem 0; }
+.soft, caption { color: var(--soft); font-size: .9rem; } a { color: inherit; }
+.verdict { font-size: 1.1rem; border-left: 4px solid var(--mark); padding-left: .8rem; }
+.scroll { overflow-x: auto; } table { border-collapse: collapse; font-size: .88rem; font-variant-numeric: tabular-nums; width: 100%; }
+th, td { text-align: right; padding: .28rem .6rem; border-bottom: 1px solid var(--line); white-space: nowrap; }
+th { color: var(--soft); font-weight: 600; } .left { text-align: left; } .wrap { white-space: normal; min-width: 22rem; text-align: left; }
+tr.chosen td { background: var(--card); font-weight: 600; } tr.chosen td:nth-child(2) { color: var(--mark); }
+.swatch { display: inline-block; width: 8.5rem; height: 1.5rem; border-radius: 3px; vertical-align: middle; }
+figure { margin: 1.2rem 0; } figcaption { color: var(--soft); font-size: .9rem; } svg.fresnel-figure { color: var(--text); width: 100%; height: auto; } svg image { image-rendering: pixelated; }
+)";
+
+std::string escaped(std::string_view text) {
+    std::string result;
+    for (const char c : text)
+        result += c == '&'   ? "&amp;"
+                  : c == '<' ? "&lt;"
+                  : c == '>' ? "&gt;"
+                  : c == '"' ? "&quot;"
+                             : std::string(1, c);
+    return result;
+}
+
+// The exact colours from 0 to 90 degrees as a bar.
+std::string swatch(const comparison& r) {
+    std::string stops;
+    for (std::size_t a = 0; a < r.exact.value.size(); a += 20)
+        stops += fmt::format(", {}", to_hex(encode_srgb8(to_srgb(r.exact.value[a], r.exact.space))));
+    return fmt::format("<span class=\"swatch\" role=\"img\" aria-label=\"colour from 0 to 90 degrees\" "
+                       "style=\"background:linear-gradient(to right{})\"></span>",
+                       stops);
+}
+
+std::string three(const std::array<double, 3>& v, int digits) {
+    return fmt::format("{:.{}f} {:.{}f} {:.{}f}", v[0], digits, v[1], digits, v[2], digits);
+}
+
+std::string parameter_text(const model_fit& m) {
+    std::string text;
+    const auto wanted = find_model<double>(m.name).parameters;
+    for (std::size_t p = 0; p < wanted.size(); ++p) {
+        const bool same = m.values[0][p] == m.values[1][p] && m.values[1][p] == m.values[2][p];
+        text += fmt::format(
+            "{}{} = {}", p == 0 ? "" : "; ", wanted[p].name,
+            same ? fmt::format("{:.5g}", m.values[0][p])
+                 : fmt::format("{:.5g} {:.5g} {:.5g}", m.values[0][p], m.values[1][p], m.values[2][p]));
+    }
+    return text;
+}
+
+std::string model_table_html(const comparison& r) {
+    std::string rows;
+    for (const model_fit& m : r.models)
+        rows += fmt::format(
+            "<tr{}><td>{}</td><td class=\"left\">{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
+            "<td>{:.2f}</td><td class=\"wrap\">{}</td></tr>\n",
+            &m == &r.best_choice() ? " class=\"chosen\"" : "", m.rank, m.name, m.cost, three(m.error.max, 4),
+            three(m.error.rms, 4), three(m.error.cosine, 4), m.error.delta_e_max, escaped(parameter_text(m)));
+    return "<div class=\"scroll\"><table><tr><th>rank</th><th "
+           "class=\"left\">model</th><th>operations</th><th>max error, R G B</th>"
+           "<th>RMS over θ</th><th>cosine-weighted</th><th>worst ΔE₀₀</th><th class=\"left\">fitted "
+           "parameters, R G B</th></tr>\n" +
+           rows + "</table></div>\n";
+}
+
+std::string provenance(const report_entry& entry) {
+    const material& m = entry.substance;
+    std::string text = escaped(m.citation);
+    if (!m.page.empty()) text += fmt::format(" — refractiveindex.info, page {}", escaped(m.page));
+    if (has_range(m)) text += ". Known only as a range; its middle is used";
+    return fmt::format("{}. {}", text, escaped(m.quality));
+}
+
+std::string section(const report_entry& entry, const std::vector<figure>& figures, const std::string& dir) {
+    const comparison& r = entry.result;
+    const rgb8 codes = encode_srgb8(to_srgb(r.colour.f0, r.colour.space));
+    std::string html =
+        fmt::format("<section id=\"{}\"><h2>{}</h2>\n<p class=\"verdict\">{}</p>\n",
+                    slug(entry.substance.name), escaped(entry.substance.name), escaped(verdict(r)));
+    html +=
+        fmt::format("<p>{} F0 = {}, F82 = {}, {}{}</p>\n<p class=\"soft\">{}. Ambient index {}. {}</p>\n",
+                    swatch(r), three(r.colour.f0, 4), three(r.colour.f82, 4), to_hex(codes),
+                    in_gamut(to_srgb(r.colour.f0, r.colour.space)) ? "" : " (clamped: F0 lies outside sRGB)",
+                    escaped(r.colour.recipe), r.colour.ambient, provenance(entry));
+    for (const figure& f : figures)
+        html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", inline_svg(f, dir),
+                            escaped(f.caption));
+    return html + model_table_html(r) + "</section>\n";
+}
+
+std::string page(const std::vector<report_entry>& entries, const std::vector<std::vector<figure>>& figures,
+                 const std::string& dir) {
+    std::string summary, sections;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const std::string name = escaped(entries[i].substance.name);
+        summary += fmt::format("<tr><td class=\"left\"><a href=\"#{}\">{}</a></td><td>{}</td><td "
+                               "class=\"left\"><b>{}</b></td><td class=\"wrap\">{}</td></tr>\n",
+                               slug(entries[i].substance.name), name, swatch(entries[i].result),
+                               entries[i].result.best_choice().name, escaped(verdict(entries[i].result)));
+        sections += section(entries[i], figures[i], dir);
+    }
+    return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+           "content=\"width=device-width, initial-scale=1\">\n"
+           "<title>Which Fresnel may I use?</title>\n<style>" +
+           std::string(style) +
+           "</style></head><body>\n"
+           "<h1>Which Fresnel may I use, and what do I lose?</h1>\n"
+           "<p>Every approximation that suits a material, fitted to its exact reflectance and compared with "
+           "it over all angles. "
+           "The exact curve is integrated over the measured spectrum first and turned into a colour "
+           "after.</p>\n"
+           "<p class=\"soft\">Recommended is the cheapest model whose worst colour difference (CIEDE2000, "
+           "over all angles) is at most 1, "
+           "which is not seen; if there is none, at most 2; if none, the least. Rank goes by the largest "
+           "error of any channel. "
+           "Operations are counted for three channels.</p>\n"
+           "<div class=\"scroll\"><table><tr><th class=\"left\">material</th><th class=\"left\">0° to "
+           "90°</th><th class=\"left\">use</th><th class=\"left\">because</th></tr>\n" +
+           summary + "</table></div>\n" + sections + "</body></html>\n";
+}
+
+} // namespace
+
+nlohmann::json report_json(const std::vector<report_entry>& entries) {
+    nlohmann::json materials = nlohmann::json::array();
+    for (const report_entry& entry : entries)
+        materials.push_back(to_json(entry.result));
+    return {{"materials", materials}};
+}
+
+void require_writable_folder(const std::string& argument, const std::string& dir) {
+    std::error_code error;
+    std::filesystem::create_directories(dir, error);
+    if (error || !std::filesystem::is_directory(dir) || access(dir.c_str(), W_OK | X_OK) != 0)
+        throw bad_input(fmt::format("{} '{}': must be a folder that can be written into{}", argument, dir,
+                                    error ? " (" + error.message() + ")" : ""));
+}
+
+void write_report(const std::vector<report_entry>& entries, const std::string& dir) {
+    const std::string figure_dir = (std::filesystem::path(dir) / "figures").string();
+    require_writable_folder("--out", figure_dir);
+    std::vector<std::vector<figure>> per_entry;
+    std::vector<figure> all;
+    for (const report_entry& entry : entries) {
+        per_entry.push_back(figures_of(entry));
+        all.insert(all.end(), per_entry.back().begin(), per_entry.back().end());
+    }
+    write_figures(all, figure_dir, {format::svg, format::png});
+    write_file((std::filesystem::path(dir) / "report.json").string(), report_json(entries).dump(2) + "\n");
+    write_file((std::filesystem::path(dir) / "index.html").string(), page(entries, per_entry, figure_dir));
+}
+
+} // namespace fresnel

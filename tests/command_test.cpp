@@ -1,0 +1,274 @@
+// The command as scripts use it: keys, exit codes, CSV, and every kind of bad input.
+
+#include "command.hpp"
+
+#include "analysis/model_table.hpp"
+
+#include <cmath>
+
+namespace {
+
+using command = fresnel::test::command_test;
+
+bool has(const nlohmann::json& object, const std::vector<std::string>& keys) {
+    return std::all_of(keys.begin(), keys.end(),
+                       [&](const std::string& key) { return object.contains(key); });
+}
+
+// ---- help -------------------------------------------------------------------------------------------------
+
+TEST_F(command, help_of_every_command_shows_examples) {
+    for (const char* name : {"", "models", "eval", "materials", "materials show", "f0", "compare"}) {
+        const auto result = run(std::string(name) + " --help");
+        EXPECT_EQ(result.code, 0) << name;
+        EXPECT_NE(result.out.find("Examples:"), std::string::npos) << name;
+    }
+}
+
+TEST_F(command, version_is_printed) { EXPECT_EQ(run("--version").out.rfind("fresnel ", 0), 0u); }
+
+// ---- models -----------------------------------------------------------------------------------------------
+
+TEST_F(command, models_prints_every_row_of_the_registry) {
+    const nlohmann::json models = json("models --json");
+    ASSERT_EQ(models.size(), fresnel::model_table<double>().size());
+    for (const nlohmann::json& row : models) {
+        EXPECT_TRUE(has(row, {"name", "kind", "equation", "parameters", "citation", "domain", "error"}))
+            << row;
+        for (const nlohmann::json& p : row["parameters"])
+            EXPECT_TRUE(has(p, {"name", "unit", "min", "max", "default"}));
+    }
+    EXPECT_EQ(json("models schlick gulbrandsen --json").size(), 2u);
+}
+
+// ---- eval -------------------------------------------------------------------------------------------------
+
+TEST_F(command, eval_gives_published_reflectances) {
+    const nlohmann::json one = json("eval dielectric --n-t 1.5 --theta 80 --json");
+    EXPECT_TRUE(has(one, {"model", "parameters", "results"}));
+    EXPECT_NEAR(one["results"][0]["R"].get<double>(), 0.387704354691473, 1e-14);
+    EXPECT_EQ(json("eval schlick --f0 0.04 --cos-i 1 --json")["results"][0]["R"], 0.04);
+    EXPECT_EQ(json("eval dielectric --n_t 1.5 --cos_i 1 --json")["results"].size(), 1u);
+}
+
+TEST_F(command, eval_sweeps_and_takes_lists) {
+    EXPECT_EQ(json("eval schlick --f0 0.04 --theta 0:90:91 --json")["results"].size(), 91u);
+    EXPECT_EQ(json("eval schlick --f0 0.04 --cos-i 0,0.5,1 --json")["results"].size(), 3u);
+    EXPECT_EQ(json("eval schlick --json")["results"].size(), 10u);
+}
+
+TEST_F(command, eval_takes_n_k_and_f0_from_a_material_of_any_kind) {
+    const nlohmann::json copper = json("eval conductor --material copper --wavelength 650 --cos-i 1 --json");
+    EXPECT_GT(copper["results"][0]["R"].get<double>(), 0.9);
+    for (const char* name : {"skin", "olive-oil", "water"})
+        EXPECT_EQ(run(std::string("eval schlick --material ") + name).code, 0) << name;
+}
+
+TEST_F(command, numbers_are_printed_so_that_they_read_back_as_the_same_double) {
+    const double R =
+        json("eval conductor --n-t 0.2 --k-t 3 --cos-i 0.3 --json")["results"][0]["R"].get<double>();
+    const double values[] = {1, 0.2, 3};
+    EXPECT_EQ(R, fresnel::find_model<double>("conductor").evaluate(values, 0.3).reflectance());
+}
+
+TEST_F(command, csv_keeps_the_columns_as_given_and_adds_the_results) {
+    write("rows.csv", "cos_i,n_t\n1.0,1.50\n 0.5,2\n");
+    const auto result = run("eval dielectric --csv rows.csv");
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(result.out.substr(0, result.out.find('\n')), "cos_i,n_t,Rs,Rp,R,Ts,Tp,T");
+    EXPECT_NE(result.out.find("\n1.0,1.50,0.04"), std::string::npos) << result.out;
+    EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 3);
+    EXPECT_EQ(run("eval schlick --csv -", "printf 'f0,cos_i\\r\\n0.04,1\\r\\n' | ").out,
+              "f0,cos_i,R\n0.04,1,0.04\n");
+}
+
+TEST_F(command, csv_of_a_model_without_parameters_needs_cos_i_only) {
+    EXPECT_EQ(run("eval one_minus_cos --csv -", "printf 'cos_i\\n0.25\\n' | ").out, "cos_i,R\n0.25,0.75\n");
+}
+
+TEST_F(command, csv_of_50_digits_is_right_to_50_digits) {
+    const auto result = run("eval dielectric --csv - --type 50", "printf 'n_t,cos_i\\n1.5,0.1\\n' | ");
+    // R_s = ((g - c) / (g + c))^2 with g^2 = 1.26 and c = 0.1, by mpmath at 70 digits
+    EXPECT_NE(result.out.find("1.5,0.1,0.69956570512361685301570348364477304730392485202849,"),
+              std::string::npos)
+        << result.out;
+}
+
+TEST_F(command, csv_in_float_is_the_float_model) {
+    const auto result = run("eval schlick --csv - --type float", "printf 'f0,cos_i\\n0.04,0.5\\n' | ");
+    EXPECT_EQ(result.out, "f0,cos_i,R\n0.04,0.5,0.07\n");
+}
+
+TEST_F(command, csv_out_writes_a_file_that_is_complete_or_not_there) {
+    write("rows.csv", "f0,cos_i\n0.04,1\n");
+    EXPECT_EQ(run("eval schlick --csv rows.csv --out results.csv").code, 0);
+    EXPECT_EQ(files(), (std::vector<std::string>{"results.csv", "rows.csv"}));
+    EXPECT_EQ(fresnel::test::read_text(folder / "work" / "results.csv"), "f0,cos_i,R\n0.04,1,0.04\n");
+}
+
+TEST_F(command, csv_on_a_pipe_ends_after_the_last_complete_row) {
+    const auto result =
+        run("eval schlick --csv -", "printf 'f0,cos_i\\n0.04,1\\n0.5,1\\n0.04,2\\n0.04,1\\n' | ");
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.out, "f0,cos_i,R\n0.04,1,0.04\n0.5,1,0.5\n");
+    EXPECT_NE(result.err.find("line 4, column 2 (cos_i): 2 is not in [0, 1]"), std::string::npos)
+        << result.err;
+}
+
+// ---- materials and f0 ---------------------------------------------------------------------------------------
+
+TEST_F(command, materials_lists_every_kind_with_its_provenance) {
+    const nlohmann::json all = json("materials --json");
+    std::map<std::string, int> kinds;
+    for (const nlohmann::json& m : all) {
+        EXPECT_TRUE(has(m, {"name", "aliases", "class", "kind", "page", "index", "f0", "range_nm", "citation",
+                            "licence", "quality"}))
+            << m["name"];
+        EXPECT_FALSE(m["citation"].get<std::string>().empty()) << m["name"];
+        EXPECT_EQ(m["page"].is_null(), m["kind"] != "spectral") << m["name"];
+        ++kinds[m["kind"]];
+    }
+    EXPECT_GE(kinds["spectral"], 66);
+    EXPECT_EQ(kinds["index"], 23);
+    EXPECT_GE(kinds["f0"], 10);
+}
+
+TEST_F(command, show_prints_n_and_k_of_a_material_by_name_alias_or_page) {
+    for (const char* name : {"copper", "Cu", "main/Cu/nk/Johnson"}) {
+        const nlohmann::json one = json(std::string("materials show ") + name + " --json");
+        EXPECT_EQ(one["name"], "copper");
+        EXPECT_EQ(one["nk"].size(), 41u);
+    }
+    EXPECT_EQ(run("materials show skin").code, 0);
+}
+
+TEST_F(command, f0_has_its_keys_for_every_kind_in_every_space) {
+    for (const char* name : {"gold", "n-bk7", "skin", "olive-oil", "vacuum"})
+        for (const char* space : {"srgb", "p3", "rec2020", "acescg", "xyz"}) {
+            const nlohmann::json one = json(std::string("f0 ") + name + " --json --space " + space);
+            EXPECT_TRUE(has(one, {"material", "page", "space", "ambient", "recipe", "f0", "f82", "f82_tint",
+                                  "gulbrandsen", "average", "srgb8", "hex"}))
+                << name;
+            EXPECT_TRUE(has(one["gulbrandsen"], {"r", "g"}));
+            for (const auto& v : one["f0"])
+                EXPECT_TRUE(v.is_number()) << name << " " << one["f0"];
+        }
+}
+
+TEST_F(command, f0_marks_gold_outside_srgb_and_limits_it_when_asked) {
+    EXPECT_FALSE(json("f0 gold --json")["in_gamut"].get<bool>());
+    EXPECT_GT(json("f0 gold --json")["f0"][0].get<double>(), 1);
+    EXPECT_EQ(json("f0 gold --json --gamut clamp")["f0"][0], 1);
+    EXPECT_EQ(json("f0 gold --json --gamut divide")["f0"][0], 1);
+    EXPECT_TRUE(json("f0 gold --json --space acescg")["in_gamut"].get<bool>());
+    EXPECT_NE(run("f0 gold").out.find("clamped"), std::string::npos);
+}
+
+TEST_F(command, f0_reads_a_users_own_table) {
+    write("mine.csv", "wavelength_nm,n,k\n400,1.5,0\n700,1.5,0\n");
+    EXPECT_NEAR(json("f0 mine.csv --json")["f0"][1].get<double>(), 0.04, 1e-12);
+}
+
+// ---- bad input ----------------------------------------------------------------------------------------------
+
+TEST_F(command, an_unknown_name_is_refused_with_the_nearest) {
+    expect_refused("modles", {"modles", "models"});
+    expect_refused("models shlick", {"shlick", "schlick"});
+    expect_refused("eval shlick", {"shlick", "schlick"});
+    expect_refused("eval shlick --csv -", {"shlick", "schlick"}, "printf '' | ");
+    expect_refused("f0 coper", {"coper", "copper"});
+    expect_refused("compare copper golld", {"golld", "gold"});
+    expect_refused("materials show coper", {"coper", "copper"});
+    expect_refused("eval schlick --material coper", {"coper", "copper"});
+    expect_refused("f0 copper --space sgrb", {"sgrb", "srgb"});
+    expect_refused("f0 copper --gamut cut", {"cut", "clamp"});
+    expect_refused("materials --class meta", {"meta", "metal"});
+    expect_refused("materials --kind spectrum", {"spectrum", "spectral"});
+}
+
+TEST_F(command, nothing_or_too_much_is_refused) {
+    expect_refused("", {"fresnel: "});
+    expect_refused("eval", {"MODEL"});
+    expect_refused("f0", {"NAME"});
+    expect_refused("compare", {"NAME"});
+    expect_refused("f0 copper gold", {"gold"});
+    expect_refused("eval schlick --frequency 3", {"--frequency"});
+    expect_refused("eval schlick --n-t 1.5", {"n_t", "schlick", "f0"});
+    expect_refused("eval schlick --cos-i 0.5 --theta 60", {"--cos-i", "--theta"});
+    expect_refused("eval schlick --out x.csv", {"--out", "x.csv", "--csv"});
+    expect_refused("eval schlick --type half --csv -", {"half", "float"});
+}
+
+TEST_F(command, a_value_outside_its_range_is_refused_with_the_range) {
+    expect_refused("eval dielectric --n-t 0 --cos-i 1", {"n_t = 0", "[0.001, 1000]"});
+    expect_refused("eval dielectric --n-t -1.5 --cos-i 1", {"n_t = -1.5", "[0.001, 1000]"});
+    expect_refused("eval schlick_internal --eta 0 --cos-i 1", {"eta = 0", "[0.01, 1]"});
+    expect_refused("eval schlick --cos-i 2", {"cos_i = 2", "[0, 1]"});
+    expect_refused("eval schlick --cos-i -0.1", {"cos_i = -0.1", "[0, 1]"});
+    expect_refused("eval schlick --theta 91", {"theta = 91", "[0, 90]"});
+    expect_refused("eval schlick --f0 nan", {"f0 = nan", "[0, 1]"});
+    expect_refused("eval schlick --f0 inf", {"f0 = inf", "[0, 1]"});
+    expect_refused("eval schlick --f0 1.5", {"f0 = 1.5", "[0, 1]"});
+    expect_refused("eval schlick --f0 shiny", {"f0 = 'shiny'", "number"});
+    expect_refused("eval schlick --cos-i ''", {"cos_i"});
+    expect_refused("eval schlick --theta 0:90:1", {"0:90:1", "COUNT"});
+    expect_refused("eval schlick --theta 0:90", {"0:90", "COUNT"});
+    expect_refused("eval schlick --material copper --wavelength 0", {"wavelength = 0"});
+    expect_refused("f0 copper --ambient 0", {"ambient = 0", "[0.01, 100]"});
+    expect_refused("f0 copper --ambient nan", {"ambient = nan", "[0.01, 100]"});
+    expect_refused("compare copper --ambient air", {"ambient = 'air'", "number"});
+}
+
+TEST_F(command, a_file_that_cannot_be_read_is_refused) {
+    write("noise.csv", std::string("\x7f"
+                                   "ELF\0\xff\xfe\0\0\n\0",
+                                   11));
+    write("noise.yml", std::string("\x7f"
+                                   "ELF\0\xff\xfe\0\0\n\0",
+                                   11));
+    write("empty.csv", "");
+    write("empty.yml", "");
+    expect_refused("eval schlick --csv missing.csv", {"missing.csv"});
+    expect_refused("eval schlick --csv .", {"'.'", "directory"});
+    expect_refused("eval schlick --csv noise.csv", {"line 1"});
+    expect_refused("eval schlick --csv empty.csv", {"header"});
+    for (const char* command_name : {"f0", "compare", "materials show"})
+        for (const char* file :
+             {"missing.csv", "missing.yml", "noise.csv", "noise.yml", "empty.csv", "empty.yml"})
+            expect_refused(std::string(command_name) + " " + file, {file});
+    std::filesystem::create_directory(folder / "work" / "folder.yml");
+    expect_refused("f0 folder.yml", {"folder.yml"});
+}
+
+TEST_F(command, a_bad_csv_row_is_refused_by_line_and_column_and_leaves_no_file) {
+    const auto refuse = [&](const std::string& text, const std::vector<std::string>& pieces) {
+        write("rows.csv", text);
+        expect_refused("eval conductor --csv rows.csv --out results.csv", pieces);
+        expect_refused("eval conductor --csv rows.csv --type 50 --out results.csv", pieces);
+    };
+    refuse("n_t,k_t,cos_i\n1.5,0,1\n1.5,0\n", {"line 3", "2 columns", "3"});
+    refuse("n_t,k_t,cos_i\n1.5,0,1,7\n", {"line 2", "4 columns"});
+    refuse("n_t,k_t,cos_i\n1.5,0,1\n\n", {"line 3"});
+    refuse("n_t,k_t,cos_i\n1.5,0,1.5\n", {"line 2, column 3 (cos_i)", "1.5", "[0, 1]"});
+    refuse("n_t,k_t,cos_i\n0,0,1\n", {"line 2, column 1 (n_t)", "[0.001, 1000]"});
+    refuse("n_t,k_t,cos_i\n1.5,-1,1\n", {"line 2, column 2 (k_t)", "-1"});
+    refuse("n_t,k_t,cos_i\n1.5,nan,1\n", {"line 2, column 2 (k_t)", "nan"});
+    refuse("n_t,k_t,cos_i\n1.5,0,one\n", {"line 2, column 3 (cos_i)", "one", "number"});
+    refuse("n_t,k_t,cos_i\n1.5,,1\n", {"line 2, column 2 (k_t)", "number"});
+    refuse("n_t,kt,cos_i\n", {"line 1, column 2", "kt", "k_t"});
+    refuse("n_t,n_t,cos_i\n", {"line 1, column 2", "n_t", "twice"});
+    refuse("n_t,k_t\n", {"line 1", "cos_i", "missing"});
+    refuse("k_t,cos_i\n", {"line 1", "n_t", "missing"});
+}
+
+TEST_F(command, an_unwritable_place_is_refused) {
+    write("rows.csv", "f0,cos_i\n0.04,1\n");
+    write("file", "");
+    expect_refused("eval schlick --csv rows.csv --out nowhere/results.csv", {"nowhere/results.csv"});
+    expect_refused("eval schlick --csv rows.csv --out .", {"'.'"});
+    expect_refused("compare copper --out file", {"--out", "file"});
+    expect_refused("compare copper --out file/below", {"--out", "file/below"});
+    expect_refused("compare copper --out /proc/fresnel", {"--out", "/proc/fresnel"});
+}
+
+} // namespace
