@@ -8,7 +8,7 @@
 
 #include <cmath>
 #include <cstdio>
-#include <map>
+#include <limits>
 #include <random>
 
 namespace {
@@ -131,7 +131,7 @@ double measured(const model_row<double>& row) {
     if (row.error.over == row::inside_gems) return over_internal_gems();
     if (row.error.over == row::box) return over_box(row.name);
     if (row.error.over == row::metals) return over_metals(row.name);
-    return NAN;
+    return std::numeric_limits<double>::quiet_NaN();
 }
 
 TEST(errors, every_registry_row_states_the_error_that_is_measured) {

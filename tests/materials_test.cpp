@@ -6,6 +6,8 @@
 
 #include <fresnel/material.hpp>
 
+#include "database.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -570,11 +572,6 @@ TEST(material_file, names_the_line_of_an_error) {
 
 // ---- the whole database ---------------------------------------------------------------------------------------
 
-std::filesystem::path database() {
-    const char* given = std::getenv("FRESNEL_DATABASE");
-    return given ? given : FRESNEL_SOURCE_DIR "/../shared/data/refractiveindex.info/database";
-}
-
 /// The pages that the catalogue lists, one for each time it does: some are on several shelves.
 std::vector<std::string> listed_pages(const std::filesystem::path& root) {
     std::vector<std::string> pages;
@@ -588,10 +585,9 @@ std::vector<std::string> listed_pages(const std::filesystem::path& root) {
 }
 
 TEST(database, is_read_whole_and_has_the_known_counts) {
-    const std::filesystem::path root = database();
-    if (!std::filesystem::exists(root / "catalog-nk.yml"))
-        GTEST_SKIP() << "no refractiveindex.info database at " << root
-                     << "; set FRESNEL_DATABASE to read one";
+    const std::optional<std::filesystem::path> found = fresnel::test::find_database();
+    if (!found) GTEST_SKIP() << "there is no refractiveindex.info database; set FRESNEL_DATABASE to read one";
+    const std::filesystem::path& root = *found;
     const auto start = std::chrono::steady_clock::now();
     std::map<std::string, page> files;
     std::map<std::string, int> blocks, flagged;

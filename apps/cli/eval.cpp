@@ -81,8 +81,9 @@ double from_material(const options& given, const parameter& p) {
 }
 
 std::vector<double> chosen_parameters(const options& given, const model_row<double>& model) {
-    for (const auto& [name, text] : given.parameters) {
-        const auto has = [&name = name](const parameter& p) { return p.name == name; };
+    for (const auto& one : given.parameters) {
+        const std::string &name = one.first, &text = one.second;
+        const auto has = [&name](const parameter& p) { return p.name == name; };
         if (std::any_of(model.parameters.begin(), model.parameters.end(), has)) continue;
         std::vector<std::string> names;
         for (const parameter& p : model.parameters)

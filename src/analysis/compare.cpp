@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace fresnel {
 
@@ -73,9 +74,11 @@ model_fit fit_model(std::string_view name, const std::array<channel, 3>& channel
 }
 
 void rank(std::vector<model_fit>& models) {
-    std::stable_sort(models.begin(), models.end(), [](const model_fit& a, const model_fit& b) {
-        return a.error.worst() < b.error.worst();
-    });
+    const auto key = [](const model_fit& m) {
+        return std::tuple(m.error.worst(), m.cost, std::string_view(m.name));
+    };
+    std::sort(models.begin(), models.end(),
+              [&](const model_fit& a, const model_fit& b) { return key(a) < key(b); });
     for (std::size_t i = 0; i < models.size(); ++i)
         models[i].rank = static_cast<int>(i) + 1;
 }

@@ -69,14 +69,13 @@ struct counting {
     friend bool operator<(counting a, counting b) { return ++total.cheap, a.value < b.value; }
     friend bool operator>(counting a, counting b) { return b < a; }
     friend bool operator<=(counting a, counting b) { return ++total.cheap, a.value <= b.value; }
-    friend bool operator>=(counting a, counting b) { return b <= a; }
     friend counting select(bool mask, counting a, counting b) { return ++total.cheap, mask ? a : b; }
     friend counting abs(counting a) { return counting(std::abs(a.value)); }
     friend counting sqrt(counting a) { return counted(std::sqrt(a.value), total.root, 1, a.constant); }
     friend counting exp2(counting a) {
         return counted(std::exp2(a.value), total.transcendental, 4, a.constant);
     }
-    friend counting log2(counting a) {
+    [[maybe_unused]] friend counting log2(counting a) {
         return counted(std::log2(a.value), total.transcendental, 4, a.constant);
     }
     friend counting pow(counting a, counting b) {

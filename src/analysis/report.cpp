@@ -84,9 +84,11 @@ figure curves_figure(const report_entry& entry, const std::string& name) {
     const auto at = static_cast<std::size_t>(
         std::lower_bound(r.exact.theta_deg.begin(), r.exact.theta_deg.end(), best.error.max_theta[c]) -
         r.exact.theta_deg.begin());
+    // a rising curve leaves room above it, a flat one below
+    const bool flat = best.curve[at][c] - best.curve[0][c] < 0.1 * (p.y.hi - p.y.lo);
     p.markers.push_back({best.error.max_theta[c], best.curve[at][c],
                          fmt::format("worst: {:.3f} at {:.0f}°", best.error.max[c], best.error.max_theta[c]),
-                         channel_colors[c]});
+                         channel_colors[c], flat});
     f.panels.push_back(std::move(p));
     return f;
 }

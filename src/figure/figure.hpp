@@ -29,7 +29,7 @@ struct marker {
     double x, y;
     std::string label;
     std::string color = "#808080";
-    bool below = false; ///< the label stands under the point instead of above it
+    bool at_foot = false; ///< the label stands at the foot of the line instead of beside the point
 };
 
 /// label carries the unit: "angle of incidence θ (degrees)".

@@ -137,12 +137,13 @@ private:
             command("set arrow from {0},{1} to {0},{2} nohead lc rgb '{3}' lw 0.9 dt 3", m.x, p.y.lo, m.y,
                     m.color);
             const bool at_left = m.x > (p.x.lo + p.x.hi) / 2;
-            command("set label {} {} at {},{} {} offset {},{} point pt 7 ps 0.8 lc rgb '{}' front", ++label,
-                    quoted(m.label), m.x, m.y, at_left ? "right" : "left", at_left ? -0.8 : 0.8,
-                    m.below ? -0.9 : 0.5, m.color);
+            command("set object circle at {},{} size screen 0.004 fs solid noborder fc rgb '{}' front", m.x,
+                    m.y, m.color);
+            command("set label {} {} at {},{} {} offset {},0.6 front", ++label, quoted(m.label), m.x,
+                    m.at_foot ? p.y.lo : m.y, at_left ? "right" : "left", at_left ? -0.8 : 0.8);
         }
         command("plot {}", plots.empty() ? "NaN notitle" : plots.substr(0, plots.size() - 2));
-        command("unset arrow\nunset label");
+        command("unset arrow\nunset label\nunset object");
     }
 
     std::string plot(const series& s) {
@@ -203,9 +204,9 @@ private:
         command("set xlabel {} rotate parallel offset 0,-0.6\nset ylabel {} rotate parallel offset 0,-0.6",
                 quoted(s.x_axis.label), quoted(s.y_axis.label));
         command("set zlabel {} rotate by 90 offset -1,0", quoted(s.z_axis.label));
-        command(
-            "set xtics {}\nset ytics {}\nset ztics {} offset 0,0.35\nset border 31 lc rgb '#808080' lw 0.8",
-            ticks(s.x_axis), ticks(s.y_axis), ticks(s.z_axis));
+        command("set xtics {}\nset ytics {} offset 0,-0.35\nset ztics {} offset 0,0.45\nset border 31 lc rgb "
+                "'#808080' lw 0.8",
+                ticks(s.x_axis), ticks(s.y_axis), ticks(s.z_axis));
         command("set xyplane at {}\nset view 62,312,1.0,0.95\nunset colorbox", s.z_axis.lo);
         // viridis (van der Walt and Smith 2015), eleven of its colours
         command("set palette defined (0 '#440154', 1 '#482475', 2 '#414487', 3 '#355f8d', 4 '#2a788e', 5 "
@@ -216,7 +217,7 @@ private:
     }
 
     void build() {
-        command("set multiplot\nset tics textcolor rgb 'black'");
+        command("set multiplot\nset tics textcolor rgb 'black'\nset format '%h'");
         command("set label 1000 {} at screen 0.5,{} center front font ',17'", quoted(figure_.title),
                 1 - 0.55 * title_height / height_);
         double top = title_height;
