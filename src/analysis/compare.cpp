@@ -105,6 +105,7 @@ constexpr std::array<std::string_view, 3> channel_names = {"red", "green", "blue
 
 std::string loss(const model_fit& m) {
     const std::size_t i = m.error.worst_channel();
+    if (m.error.max[i] < 5e-4) return "exact to three decimals";
     return fmt::format("off by at most {:.3f}, in {} at {:.0f}°, ΔE {:.1f}", m.error.max[i], channel_names[i],
                        m.error.max_theta[i], m.error.delta_e_max);
 }
@@ -139,10 +140,11 @@ comparison compare(const material& substance, color_space space, double ambient)
 
 std::string verdict(const comparison& result) {
     const model_fit& best = result.best_choice();
-    const std::string seen = best.error.delta_e_max <= invisible ? "which is not seen"
-                             : best.error.delta_e_max <= slight  ? "which is barely seen"
-                                                                 : "which can be seen";
-    std::string text = fmt::format("Use {}: it is {}, {}", best.name, loss(best), seen);
+    const double seen = best.error.delta_e_max;
+    std::string text = fmt::format("Use {}: it is {}, which is {}", best.name, loss(best),
+                                   seen <= invisible ? "not seen"
+                                   : seen <= slight  ? "barely seen"
+                                                     : "seen");
     const model_fit* schlick = result.find("schlick");
     if (schlick != nullptr && schlick != &best)
         text += fmt::format("; Schlick's would be {}", loss(*schlick));

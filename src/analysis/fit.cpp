@@ -31,7 +31,7 @@ double minimize(double lo, double hi, const function& f) {
             a = x, x = y, fx = fy, y = a + golden * (b - a), fy = f(y);
     }
     const double inner = (a + b) / 2;
-    return f(inner) <= least ? inner : at(best);
+    return f(inner) < least ? inner : at(best);
 }
 
 double inside(double value, std::string_view model, std::string_view name) {
@@ -130,9 +130,10 @@ double index_from_f0(const channel& exact, bool internal) {
     return internal ? 1 / eta : eta;
 }
 
-// Beyond a critical angle the curve stays at 1; only a surface with one does.
+// Beyond a critical angle the curve stays at 1, but for the trace of k that even water has; only a surface with one
+// does.
 bool has_critical_angle(const channel& exact) {
-    return exact.R.size() > 2 && exact.R[exact.R.size() - 2] > 1 - 1e-12 && exact.f0 < 0.9;
+    return exact.R.size() > 2 && exact.R[exact.R.size() - 2] > 1 - 1e-6 && exact.f0 < 0.9;
 }
 
 } // namespace

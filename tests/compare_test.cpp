@@ -1,0 +1,198 @@
+// Fits, errors, ranks and the report that is made of them.
+
+#include "analysis/compare.hpp"
+
+#include "command.hpp"
+#include "materials/observer.hpp"
+
+#include <png.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace fresnel;
+
+// A channel whose curve is a model's own: fitting that model must find its parameters again.
+channel made_by(std::string_view model, const parameters& values) {
+    channel one{{}, {}, {}, 0, 0, 1};
+    for (int i = 0; i <= 360; ++i) {
+        one.theta_deg.push_back(0.25 * i);
+        one.cos_i.push_back(cosine_of_degrees(one.theta_deg.back()));
+    }
+    one.R = evaluate(model, values, one.cos_i);
+    one.f0 = evaluate(model, values, {1})[0];
+    one.f82 = evaluate(model, values, {ratio<double, 1, 7>()})[0];
+    return one;
+}
+
+TEST(fit, finds_the_parameters_that_made_a_curve) {
+    const std::vector<std::pair<const char*, parameters>> cases = {
+        {"schlick", {0.3}},           {"schlick_f90", {0.04, 0.6}}, {"schlick_power", {0.5, 1, 7.5}},
+        {"f82", {0.55, 0.6}},         {"f82_tint", {0.55, 0.8}},    {"hoffman", {0.55, 0.6, 1, 4}},
+        {"powers_4_12", {0.55, 0.6}}, {"gulbrandsen", {0.55, 0.4}}, {"bias_scale_power", {0.1, 0.7, 3}},
+        {"dielectric", {1, 1.7}},     {"dielectric", {1, 0.6}},     {"schlick_internal", {0.6}},
+    };
+    for (const auto& [model, values] : cases) {
+        const parameters found = fit(model, made_by(model, values));
+        ASSERT_EQ(found.size(), values.size()) << model;
+        for (std::size_t i = 0; i < found.size(); ++i)
+            EXPECT_NEAR(found[i], values[i], 1e-6) << model << " " << i;
+    }
+}
+
+// Lazanyi's n and k are not determined by the curve, but the curve is.
+TEST(fit, of_lazanyi_follows_a_curve_that_lazanyi_made) {
+    const edge_tint index = index_of(0.6, 0.3);
+    const channel one = made_by("lazanyi", {index.n, index.k, 1.5, 7});
+    const parameters found = fit("lazanyi", one);
+    EXPECT_NEAR(found[2], 1.5, 1e-4);
+    EXPECT_NEAR(found[3], 7, 1e-4);
+    const std::vector<double> again = evaluate("lazanyi", found, one.cos_i);
+    for (std::size_t i = 0; i < again.size(); ++i)
+        EXPECT_NEAR(again[i], one.R[i], 1e-6);
+}
+
+TEST(fit, keeps_every_parameter_inside_its_registry_range) {
+    for (const char* name : {"gold", "caesium", "silicon", "diamond", "vacuum", "air"}) {
+        const comparison result = compare(*find_material(name), color_space::srgb, 1);
+        for (const model_fit& m : result.models) {
+            const std::span<const parameter> wanted = find_model<double>(m.name).parameters;
+            for (const parameters& values : m.values)
+                for (std::size_t i = 0; i < values.size(); ++i) {
+                    EXPECT_GE(values[i], wanted[i].min) << name << " " << m.name << " " << wanted[i].name;
+                    EXPECT_LE(values[i], wanted[i].max) << name << " " << m.name << " " << wanted[i].name;
+                }
+        }
+    }
+}
+
+// Schlick's largest error in linear sRGB as measured before this project, with fitted colour-matching functions.
+TEST(compare, schlick_misses_metals_by_what_was_measured_elsewhere) {
+    const std::vector<std::pair<const char*, double>> known = {{"iron", 0.178},     {"chromium", 0.200},
+                                                               {"vanadium", 0.232}, {"tungsten", 0.214},
+                                                               {"copper", 0.043},   {"magnesium", 0.045}};
+    for (const auto& [name, error] : known)
+        EXPECT_NEAR(compare(*find_material(name), color_space::srgb, 1).find("schlick")->error.worst(), error,
+                    0.005)
+            << name;
+}
+
+TEST(compare, errors_are_those_of_the_curves) {
+    const comparison result = compare(*find_material("iron"), color_space::acescg, 1.2);
+    for (const model_fit& m : result.models)
+        for (std::size_t c = 0; c < 3; ++c) {
+            double largest = 0;
+            for (std::size_t a = 0; a < m.curve.size(); ++a)
+                largest = std::max(largest, std::abs(m.curve[a][c] - result.exact.value[a][c]));
+            EXPECT_EQ(m.error.max[c], largest) << m.name;
+            EXPECT_LE(m.error.rms[c], m.error.max[c]) << m.name;
+            EXPECT_LE(m.error.cosine[c], m.error.max[c]) << m.name;
+        }
+}
+
+TEST(compare, ranks_by_the_largest_error_and_recommends_nothing_that_is_beaten_at_its_price) {
+    for (const char* name : {"copper", "gold", "iron", "water", "n-bk7", "skin", "silicon"}) {
+        const comparison result = compare(*find_material(name), color_space::srgb, 1);
+        for (std::size_t i = 0; i < result.models.size(); ++i) {
+            EXPECT_EQ(result.models[i].rank, static_cast<int>(i) + 1);
+            if (i == 0) continue;
+            EXPECT_GE(result.models[i].error.worst(), result.models[i - 1].error.worst());
+        }
+        const model_fit& best = result.best_choice();
+        const double limit = best.error.delta_e_max <= invisible ? invisible : slight;
+        for (const model_fit& m : result.models) {
+            const bool artistic = find_model<double>(m.name).kind == model_kind::artistic;
+            EXPECT_TRUE(artistic || m.cost >= best.cost || m.error.delta_e_max > limit)
+                << name << " " << m.name;
+        }
+    }
+}
+
+TEST(compare, a_dielectric_is_exact_with_an_index_per_channel) {
+    for (const char* name : {"n-bk7", "diamond", "water"}) {
+        const comparison result = compare(*find_material(name), color_space::srgb, 1);
+        const model_fit* m = result.find("dielectric");
+        ASSERT_NE(m, nullptr);
+        EXPECT_LT(m->error.worst(), 1e-3) << name;
+    }
+}
+
+TEST(compare, a_medium_against_itself_reflects_nothing) {
+    const comparison result = compare(*find_material("vacuum"), color_space::srgb, 1);
+    EXPECT_EQ(result.surface, surface_class::matched);
+    EXPECT_EQ(result.best_choice().error.worst(), 0);
+}
+
+// ---- the report ---------------------------------------------------------------------------------------------
+
+using report = test::command_test;
+
+std::array<std::uint8_t, 3> first_pixel_of_the_top_strip(const std::string& path, const rgb8& wanted) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    EXPECT_NE(png_image_begin_read_from_file(&image, path.c_str()), 0) << path;
+    image.format = PNG_FORMAT_RGB;
+    std::vector<std::uint8_t> pixels(PNG_IMAGE_SIZE(image));
+    png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr);
+    // from the top: the first row with a long run of colour is the exact strip; its first coloured pixel counts
+    for (std::size_t y = image.height / 20; y < image.height; ++y) {
+        const std::uint8_t* row = pixels.data() + 3 * y * image.width;
+        std::size_t run = 0;
+        for (std::size_t x = 0; x < image.width; ++x) {
+            const bool close = std::abs(row[3 * x] - wanted[0]) + std::abs(row[3 * x + 1] - wanted[1]) +
+                                   std::abs(row[3 * x + 2] - wanted[2]) <
+                               24;
+            run = close ? run + 1 : 0;
+            if (run == 100) {
+                const std::uint8_t* first = row + 3 * (x - 99);
+                return {first[0], first[1], first[2]};
+            }
+        }
+    }
+    return {0, 0, 0};
+}
+
+TEST_F(report, has_its_files_its_keys_and_strips_that_begin_with_f0) {
+    const auto result = run("compare copper skin --out out");
+    ASSERT_EQ(result.code, 0) << result.err;
+    for (const char* name : {"copper", "skin"})
+        for (const char* kind : {"curves", "errors", "strips", "surface"})
+            for (const char* ending : {"svg", "png"})
+                EXPECT_TRUE(std::filesystem::exists(folder / "work/out/figures" /
+                                                    (std::string(name) + "-" + kind + "." + ending)));
+    const nlohmann::json all = nlohmann::json::parse(test::read_text(folder / "work/out/report.json"));
+    ASSERT_EQ(all["materials"].size(), 2u);
+    for (const nlohmann::json& m : all["materials"]) {
+        for (const char* key : {"name", "page", "space", "f0", "models"})
+            EXPECT_TRUE(m.contains(key)) << key;
+        for (const nlohmann::json& one : m["models"])
+            for (const char* key :
+                 {"name", "rank", "parameters", "max_error", "rms_error", "cosine_error", "delta_e_max"})
+                EXPECT_TRUE(one.contains(key)) << key;
+    }
+    const rgb8 f0 = encode_srgb8(colour_at_normal(*find_material("copper"), color_space::srgb, 1).f0);
+    const auto first =
+        first_pixel_of_the_top_strip((folder / "work/out/figures/copper-strips.png").string(), f0);
+    for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(first[c], f0[c], 1) << "strip of copper, component " << c;
+}
+
+TEST_F(report, page_needs_no_other_file_and_says_what_to_use) {
+    ASSERT_EQ(run("compare copper --out out").code, 0);
+    const std::string page = test::read_text(folder / "work/out/index.html");
+    for (const char* outside : {"src=", "<link", "<script", "url(http", "@import"})
+        EXPECT_EQ(page.find(outside), std::string::npos) << outside;
+    EXPECT_NE(page.find(verdict(compare(*find_material("copper"), color_space::srgb, 1)).substr(0, 20)),
+              std::string::npos);
+    EXPECT_NE(page.find("prefers-color-scheme"), std::string::npos);
+}
+
+TEST_F(report, is_the_same_text_json_and_file) {
+    const nlohmann::json printed = json("compare iron --json --space acescg --ambient 1.33");
+    ASSERT_EQ(run("compare iron --space acescg --ambient 1.33 --out out").code, 0);
+    EXPECT_EQ(printed, nlohmann::json::parse(test::read_text(folder / "work/out/report.json")));
+    EXPECT_EQ(printed["materials"][0]["space"], "acescg");
+}
+
+} // namespace
