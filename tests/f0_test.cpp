@@ -121,7 +121,7 @@ real3 integrate_again(color_space space, F reflectance) {
 
 real normal_reflectance_of(const material& m, real nm) {
     const optical_index i = index_at(m, static_cast<double>(nm));
-    const real n = i.n, k = i.k;
+    const auto n = static_cast<real>(i.n), k = static_cast<real>(i.k);
     return ((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k);
 }
 

@@ -67,8 +67,8 @@ int report(std::string_view message, int code) {
 
 int run(int argc, char** argv) {
     CLI::App app{"Fresnel reflectance for rendering: exact, approximate, measured.", "fresnel"};
-    build(app);
     try {
+        build(app);
         check_command(app, argc, argv);
         app.parse(argc, argv);
         if (std::fflush(stdout) != 0) return report("standard output: cannot be written", 1);

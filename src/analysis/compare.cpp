@@ -51,7 +51,7 @@ curve_error measure(const rgb_curve& exact, const std::vector<rgb>& model) {
 
 surface_class classify(const material& substance, double ambient) {
     double lowest = 1e9, highest = 0, k = 0;
-    for (double nm = 400; nm <= 700; nm += 10) {
+    for (int nm = 400; nm <= 700; nm += 10) {
         const optical_index index = index_at(substance, nm);
         lowest = std::min(lowest, index.n), highest = std::max(highest, index.n), k = std::max(k, index.k);
     }

@@ -49,7 +49,7 @@ figure curves_figure(const report_entry& entry, const std::string& name) {
     const model_fit& best = r.best_choice();
     figure f{name + "-curves",
              entry.substance.name + ": exact reflectance and " + best.name,
-             verdict(r),
+             "Solid: exact. Dashed: the recommended model. Dotted: Schlick's.",
              {},
              {},
              {}};
