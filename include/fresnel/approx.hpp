@@ -103,6 +103,12 @@ T photometric(T f0, T cos_i) {
     return f0 + (m - f0) * square(m * m);
 }
 
+/// The a of `powers_4_8`.
+template <class T>
+T powers_4_8_weight() {
+    return ratio<T, 55, 100>();
+}
+
 /// Two powers in Schlick's number of operations; better than Schlick on dielectrics in every norm.
 ///
 ///   F = f0 + x^4 ((a - f0) + (1 - a) x^4),   a = 0.55
@@ -112,9 +118,15 @@ T photometric(T f0, T cos_i) {
 /// source  this library: minimax fit over eta in [1.333, 2.42]
 template <class T>
 T powers_4_8(T f0, T cos_i) {
-    const T a = ratio<T, 55, 100>();
+    const T a = powers_4_8_weight<T>();
     const T m4 = let("m4", square(square(1 - cos_i)));
     return f0 + m4 * ((a - f0) + (1 - a) * m4);
+}
+
+/// The a of `powers_3_9`.
+template <class T>
+T powers_3_9_weight(T f0) {
+    return let("a", max(ratio<T, 46, 100>(), f0));
 }
 
 /// Two powers, a third of Schlick's error on dielectrics.
@@ -126,10 +138,28 @@ T powers_4_8(T f0, T cos_i) {
 /// source  this library: minimax fit over eta in [1.333, 2.42]
 template <class T>
 T powers_3_9(T f0, T cos_i) {
-    const T a = let("a", max(ratio<T, 46, 100>(), f0));
+    const T a = powers_3_9_weight(f0);
     const T m = let("m", 1 - cos_i);
     const T m3 = let("m3", m * m * m);
     return min(f0 + m3 * ((a - f0) + (1 - a) * (m3 * m3)), T(1));
+}
+
+/// Coefficients of three powers of 1 - cos_i, the lowest first.
+template <class T>
+struct three_terms {
+    T first, second, third;
+};
+
+/// p, q and r of `powers_3_6_9`.
+template <class T>
+three_terms<T> powers_3_6_9_terms(T f0) {
+    const T s = let("s", sqrt(f0));
+    const T p =
+        let("p", ratio<T, 290623, 100000>() * s - ratio<T, 2379, 100000>() - ratio<T, 478491, 100000>() * f0);
+    const T q =
+        let("q", ratio<T, 43137, 100000>() - ratio<T, 58931, 100000>() * s - ratio<T, 231299, 100000>() * f0);
+    const T r = let("r", 1 - f0 - p - q);
+    return {p, q, r};
 }
 
 /// Three powers with coefficients in sqrt(f0), a twentieth of Schlick's error on dielectrics.
@@ -142,15 +172,10 @@ T powers_3_9(T f0, T cos_i) {
 /// source  this library: minimax fit over eta in [1.333, 2.42]
 template <class T>
 T powers_3_6_9(T f0, T cos_i) {
-    const T s = let("s", sqrt(f0));
-    const T p =
-        let("p", ratio<T, 290623, 100000>() * s - ratio<T, 2379, 100000>() - ratio<T, 478491, 100000>() * f0);
-    const T q =
-        let("q", ratio<T, 43137, 100000>() - ratio<T, 58931, 100000>() * s - ratio<T, 231299, 100000>() * f0);
-    const T r = let("r", 1 - f0 - p - q);
+    const three_terms<T> t = powers_3_6_9_terms(f0);
     const T m = let("m", 1 - cos_i);
     const T y = let("y", m * m * m);
-    return saturate(f0 + y * (p + y * (q + y * r)));
+    return saturate(f0 + y * (t.first + y * (t.second + y * t.third)));
 }
 
 /// The rim factor 1 - cos_i, as a stand-in for reflectance.
@@ -206,6 +231,17 @@ T lazanyi(T n, T k, T a, T alpha, T cos_i) {
     return saturate(schlick_nk(n, k, cos_i) - a * cos_i * pow(1 - cos_i, alpha));
 }
 
+/// The index n + i k, relative to the ambient medium, of `gulbrandsen`.
+template <class T>
+complex<T> gulbrandsen_index(T r, T g) {
+    const T f0 = let("f0", min(r, ratio<T, 9999, 10000>()));
+    const T n_max = let("n_max", eta_from_f0(f0));
+    const T n_min = let("n_min", (1 - f0) / (1 + f0));
+    const T n = let("n", mix(n_max, n_min, g));
+    const T k = let("k", sqrt(max((n_max - n) * (n - sin_critical(f0)), T(0))));
+    return {n, k};
+}
+
 /// An index from two artist's colours, then the exact equations.
 ///
 ///   n = mix((1 + sqrt r) / (1 - sqrt r), (1 - r) / (1 + r), g),   k^2 = (n_max - n) (n - 1 / n_max)
@@ -217,12 +253,20 @@ T lazanyi(T n, T k, T a, T alpha, T cos_i) {
 ///         factored by its roots in n
 template <class T>
 T gulbrandsen(T r, T g, T cos_i) {
-    const T f0 = let("f0", min(r, ratio<T, 9999, 10000>()));
-    const T n_max = let("n_max", eta_from_f0(f0));
-    const T n_min = let("n_min", (1 - f0) / (1 + f0));
-    const T n = let("n", mix(n_max, n_min, g));
-    const T k = let("k", sqrt(max((n_max - n) * (n - sin_critical(f0)), T(0))));
-    return conductor(T(1), n, k, cos_i).reflectance();
+    const complex<T> m = gulbrandsen_index(r, g);
+    return conductor(T(1), m.re, m.im, cos_i).reflectance();
+}
+
+/// Schlick's approximation at cos_i = 1/7, where f82 is.
+template <class T>
+T schlick_at_82(T f0) {
+    return let("at_82", f0 + (1 - f0) * ratio<T, 7776, 16807>()); // (6/7)^5
+}
+
+/// The b for which b c x^6 is `depth` at c = 1/7.
+template <class T>
+T dip_of_depth(T depth) {
+    return let("b", depth * ratio<T, 823543, 46656>()); // 1 / ((1/7) (6/7)^6)
 }
 
 /// Schlick's approximation with the dip of Lazanyi, through given reflectances at 0, 81.8 and 90 degrees.
@@ -238,7 +282,7 @@ T gulbrandsen(T r, T g, T cos_i) {
 template <class T>
 T hoffman(T f0, T f82, T f90, T power, T cos_i) {
     const T at_82 = let("at_82", schlick_power(f0, f90, power, ratio<T, 1, 7>()));
-    const T b = let("b", (at_82 - f82) * ratio<T, 823543, 46656>()); // 1 / ((1/7) (6/7)^6)
+    const T b = dip_of_depth(at_82 - f82);
     const T m = let("m", 1 - cos_i);
     const T m2 = let("m2", m * m);
     return saturate(schlick_power(f0, f90, power, cos_i) - b * cos_i * (m2 * m2 * m2));
@@ -266,9 +310,7 @@ T schlick_with_dip(T f0, T b, T cos_i) {
 /// source  Hoffman 2019, "Fresnel Equations Considered Harmful"
 template <class T>
 T f82(T f0, T f82, T cos_i) {
-    const T at_82 = let("at_82", f0 + (1 - f0) * ratio<T, 7776, 16807>()); // (6/7)^5
-    const T b = let("b", (at_82 - f82) * ratio<T, 823543, 46656>());
-    return schlick_with_dip(f0, b, cos_i);
+    return schlick_with_dip(f0, dip_of_depth(schlick_at_82(f0) - f82), cos_i);
 }
 
 /// The same curve with f82 given as a fraction of Schlick's value there.
@@ -281,9 +323,15 @@ T f82(T f0, T f82, T cos_i) {
 /// source  Kutz, Hasan and Edmondson 2021, "Novel aspects of the Adobe Standard Material"; OpenPBR
 template <class T>
 T f82_tint(T f0, T tint, T cos_i) {
-    const T at_82 = let("at_82", f0 + (1 - f0) * ratio<T, 7776, 16807>()); // (6/7)^5
-    const T b = let("b", at_82 * (1 - tint) * ratio<T, 823543, 46656>());
-    return schlick_with_dip(f0, b, cos_i);
+    return schlick_with_dip(f0, dip_of_depth(schlick_at_82(f0) * (1 - tint)), cos_i);
+}
+
+/// The q of `powers_4_12`.
+template <class T>
+T powers_4_12_term(T f0, T f82) {
+    // q ((6/7)^8 - 1) = (f82 - f0) (7/6)^4 - (1 - f0)
+    const T rise = let("rise", (1 - f0) - (f82 - f0) * ratio<T, 2401, 1296>());
+    return let("q", rise * ratio<T, 5764801, 4085185>());
 }
 
 /// Two powers through f0 and f82: the best single form for blends of metals and dielectrics.
@@ -296,11 +344,20 @@ T f82_tint(T f0, T tint, T cos_i) {
 /// source  this library
 template <class T>
 T powers_4_12(T f0, T f82, T cos_i) {
-    // q ((6/7)^8 - 1) = (f82 - f0) (7/6)^4 - (1 - f0)
-    const T rise = let("rise", (1 - f0) - (f82 - f0) * ratio<T, 2401, 1296>());
-    const T q = let("q", rise * ratio<T, 5764801, 4085185>());
+    const T q = powers_4_12_term(f0, f82);
     const T m4 = let("m4", square(square(1 - cos_i)));
     return saturate(f0 + m4 * ((1 - f0 - q) + q * (m4 * m4)));
+}
+
+/// c2, c8 and c16 of `powers_2_8_16`.
+template <class T>
+three_terms<T> powers_2_8_16_terms(T f0, T f82) {
+    const T rise = let("rise", 1 - f0);
+    const T dip = let("dip", f82 - f0);
+    const T c2 = let("c2", ratio<T, 104343, 100000>() * dip - ratio<T, 27520, 100000>() * rise);
+    const T c8 = let("c8", ratio<T, 155944, 100000>() * dip + ratio<T, 45498, 100000>() * rise);
+    const T c16 = let("c16", ratio<T, 82022, 100000>() * rise - ratio<T, 260287, 100000>() * dip);
+    return {c2, c8, c16};
 }
 
 /// Three powers through f0 and f82: half the worst error of `f82` on metals.
@@ -313,14 +370,10 @@ T powers_4_12(T f0, T f82, T cos_i) {
 /// source  this library: least-squares fit over 28 metals, three channels each
 template <class T>
 T powers_2_8_16(T f0, T f82, T cos_i) {
-    const T rise = let("rise", 1 - f0);
-    const T dip = let("dip", f82 - f0);
-    const T c2 = let("c2", ratio<T, 104343, 100000>() * dip - ratio<T, 27520, 100000>() * rise);
-    const T c8 = let("c8", ratio<T, 155944, 100000>() * dip + ratio<T, 45498, 100000>() * rise);
-    const T c16 = let("c16", ratio<T, 82022, 100000>() * rise - ratio<T, 260287, 100000>() * dip);
+    const three_terms<T> t = powers_2_8_16_terms(f0, f82);
     const T m2 = let("m2", square(1 - cos_i));
     const T m8 = let("m8", square(m2 * m2));
-    return saturate(f0 + c2 * m2 + m8 * (c8 + c16 * m8));
+    return saturate(f0 + t.first * m2 + m8 * (t.second + t.third * m8));
 }
 
 // ---- artistic ---------------------------------------------------------------------------------------------

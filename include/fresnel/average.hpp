@@ -114,7 +114,7 @@ T photometric_average(T f0) {
 ///   f0 + (a - f0) / 15 + (1 - a) / 45,   a = 0.55
 template <class T>
 T powers_4_8_average(T f0) {
-    const T a = ratio<T, 55, 100>();
+    const T a = powers_4_8_weight<T>();
     return f0 + (a - f0) / 15 + (1 - a) / 45;
 }
 
@@ -123,7 +123,7 @@ T powers_4_8_average(T f0) {
 ///   f0 + (a - f0) / 10 + (1 - a) / 55,   a = max(0.46, f0)
 template <class T>
 T powers_3_9_average(T f0) {
-    const T a = let("a", max(ratio<T, 46, 100>(), f0));
+    const T a = powers_3_9_weight(f0);
     return f0 + (a - f0) / 10 + (1 - a) / 55;
 }
 
@@ -132,13 +132,8 @@ T powers_3_9_average(T f0) {
 ///   f0 + p / 10 + q / 28 + r / 55
 template <class T>
 T powers_3_6_9_average(T f0) {
-    const T s = let("s", sqrt(f0));
-    const T p =
-        let("p", ratio<T, 290623, 100000>() * s - ratio<T, 2379, 100000>() - ratio<T, 478491, 100000>() * f0);
-    const T q =
-        let("q", ratio<T, 43137, 100000>() - ratio<T, 58931, 100000>() * s - ratio<T, 231299, 100000>() * f0);
-    const T r = let("r", 1 - f0 - p - q);
-    return f0 + p / 10 + q / 28 + r / 55;
+    const three_terms<T> t = powers_3_6_9_terms(f0);
+    return f0 + t.first / 10 + t.second / 28 + t.third / 55;
 }
 
 /// Average of `schlick_with_dip`, the shared body of `f82` and `f82_tint`.
@@ -154,8 +149,7 @@ T schlick_with_dip_average(T f0, T b) {
 ///   f0 + (1 - f0) / 21 - b / 126,   b = (schlick(f0, 1/7) - f82) / ((1/7) (6/7)^6)
 template <class T>
 T f82_average(T f0, T f82) {
-    const T at_82 = let("at_82", f0 + (1 - f0) * ratio<T, 7776, 16807>()); // (6/7)^5
-    return schlick_with_dip_average(f0, let("b", (at_82 - f82) * ratio<T, 823543, 46656>()));
+    return schlick_with_dip_average(f0, dip_of_depth(schlick_at_82(f0) - f82));
 }
 
 /// Average of `f82_tint`.
@@ -163,8 +157,7 @@ T f82_average(T f0, T f82) {
 ///   f0 + (1 - f0) / 21 - b / 126,   b = schlick(f0, 1/7) (1 - tint) / ((1/7) (6/7)^6)
 template <class T>
 T f82_tint_average(T f0, T tint) {
-    const T at_82 = let("at_82", f0 + (1 - f0) * ratio<T, 7776, 16807>()); // (6/7)^5
-    return schlick_with_dip_average(f0, let("b", at_82 * (1 - tint) * ratio<T, 823543, 46656>()));
+    return schlick_with_dip_average(f0, dip_of_depth(schlick_at_82(f0) * (1 - tint)));
 }
 
 /// Average of `hoffman`.
@@ -172,9 +165,8 @@ T f82_tint_average(T f0, T tint) {
 ///   f0 + 2 (f90 - f0) / ((power + 1) (power + 2)) - b / 126
 template <class T>
 T hoffman_average(T f0, T f82, T f90, T power) {
-    const T at_82 = let("at_82", schlick_power(f0, f90, power, ratio<T, 1, 7>()));
-    const T b = let("b", (at_82 - f82) * ratio<T, 823543, 46656>());
-    return schlick_power_average(f0, f90, power) - b / 126;
+    const T at_82 = schlick_power(f0, f90, power, ratio<T, 1, 7>());
+    return schlick_power_average(f0, f90, power) - dip_of_depth(at_82 - f82) / 126;
 }
 
 /// Average of `powers_4_12`.
@@ -182,8 +174,7 @@ T hoffman_average(T f0, T f82, T f90, T power) {
 ///   f0 + p / 15 + q / 91,   p + q = 1 - f0
 template <class T>
 T powers_4_12_average(T f0, T f82) {
-    const T rise = let("rise", (1 - f0) - (f82 - f0) * ratio<T, 2401, 1296>());
-    const T q = let("q", rise * ratio<T, 5764801, 4085185>());
+    const T q = powers_4_12_term(f0, f82);
     return f0 + (1 - f0 - q) / 15 + q / 91;
 }
 
@@ -192,12 +183,8 @@ T powers_4_12_average(T f0, T f82) {
 ///   f0 + c2 / 6 + c8 / 45 + c16 / 153
 template <class T>
 T powers_2_8_16_average(T f0, T f82) {
-    const T rise = let("rise", 1 - f0);
-    const T dip = let("dip", f82 - f0);
-    const T c2 = let("c2", ratio<T, 104343, 100000>() * dip - ratio<T, 27520, 100000>() * rise);
-    const T c8 = let("c8", ratio<T, 155944, 100000>() * dip + ratio<T, 45498, 100000>() * rise);
-    const T c16 = let("c16", ratio<T, 82022, 100000>() * rise - ratio<T, 260287, 100000>() * dip);
-    return f0 + c2 / 6 + c8 / 45 + c16 / 153;
+    const three_terms<T> t = powers_2_8_16_terms(f0, f82);
+    return f0 + t.first / 6 + t.second / 45 + t.third / 153;
 }
 
 } // namespace fresnel

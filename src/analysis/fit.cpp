@@ -154,10 +154,8 @@ std::vector<std::string_view> models_for(surface_class surface) {
 }
 
 edge_tint index_of(double r, double g) {
-    const double f0 = std::clamp(r, 0.0, 0.9999);
-    const double n_max = eta_from_f0(f0);
-    const double n = mix(n_max, (1 - f0) / (1 + f0), g);
-    return {f0, g, n, std::sqrt(std::max((n_max - n) * (n - sin_critical(f0)), 0.0))};
+    const complex<double> m = gulbrandsen_index(std::max(r, 0.0), g);
+    return {std::clamp(r, 0.0, 0.9999), g, m.re, m.im};
 }
 
 edge_tint fit_gulbrandsen(const channel& exact) {
