@@ -12,10 +12,8 @@ namespace fresnel::cli {
 namespace {
 
 nlohmann::json to_json(const material& m) {
-    const bool spectral = m.kind == material_kind::spectral;
-    nlohmann::json page, range, index, f0;
+    nlohmann::json page, index, f0;
     if (!m.page.empty()) page = m.page;
-    if (spectral) range = m.range_nm;
     if (m.kind == material_kind::index) index = m.index;
     if (m.kind == material_kind::f0) f0 = m.f0;
     return {{"name", m.name},
@@ -25,7 +23,7 @@ nlohmann::json to_json(const material& m) {
             {"page", page},
             {"index", index},
             {"f0", f0},
-            {"range_nm", range},
+            {"range_nm", m.range_nm},
             {"citation", m.citation},
             {"doi", m.doi},
             {"licence", m.licence},
