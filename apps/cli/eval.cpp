@@ -71,9 +71,8 @@ angles chosen_angles(const options& given) {
     return result;
 }
 
-// What a material's index at one wavelength says of a parameter.
-double from_material(const options& given, const parameter& p) {
-    const optical_index index = index_at(load_material(given.material), given.wavelength_nm);
+// What an index says of a parameter.
+double from_index(const optical_index& index, const parameter& p) {
     if (p.name == "n_t" || p.name == "n" || p.name == "eta") return index.n;
     if (p.name == "k_t" || p.name == "k") return index.k;
     if (p.name == "f0" || p.name == "r") return normal_reflectance(1.0, index.n, index.k);
@@ -91,13 +90,15 @@ std::vector<double> chosen_parameters(const options& given, const model_row<doub
         throw bad_input(fmt::format("{} = {}: is no parameter of {}, which takes {}", name, text, model.name,
                                     names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
     }
+    std::optional<optical_index> index;
+    if (!given.material.empty()) index = index_at(load_material(given.material), given.wavelength_nm);
     std::vector<double> values;
     for (const parameter& p : model.parameters) {
         const auto found = given.parameters.find(std::string(p.name));
         if (found != given.parameters.end())
             values.push_back(parse_number(p.name, found->second));
         else
-            values.push_back(given.material.empty() ? p.default_value : from_material(given, p));
+            values.push_back(index ? from_index(*index, p) : p.default_value);
         check_range(p, values.back());
     }
     return values;

@@ -231,10 +231,16 @@ T lazanyi(T n, T k, T a, T alpha, T cos_i) {
     return saturate(schlick_nk(n, k, cos_i) - a * cos_i * pow(1 - cos_i, alpha));
 }
 
+/// The largest r of `gulbrandsen`: n is infinite at 1.
+template <class T>
+T gulbrandsen_limit() {
+    return ratio<T, 9999, 10000>();
+}
+
 /// The index n + i k, relative to the ambient medium, of `gulbrandsen`.
 template <class T>
 complex<T> gulbrandsen_index(T r, T g) {
-    const T f0 = let("f0", min(r, ratio<T, 9999, 10000>()));
+    const T f0 = let("f0", min(r, gulbrandsen_limit<T>()));
     const T n_max = let("n_max", eta_from_f0(f0));
     const T n_min = let("n_min", (1 - f0) / (1 + f0));
     const T n = let("n", mix(n_max, n_min, g));

@@ -126,7 +126,7 @@ parameters fit_bias_scale_power(const channel& exact) {
 }
 
 double index_from_f0(const channel& exact, bool internal) {
-    const double eta = eta_from_f0(std::min(unit(exact.f0), 0.9999));
+    const double eta = eta_from_f0(std::min(unit(exact.f0), gulbrandsen_limit<double>()));
     return internal ? 1 / eta : eta;
 }
 
@@ -155,7 +155,7 @@ std::vector<std::string_view> models_for(surface_class surface) {
 
 edge_tint index_of(double r, double g) {
     const complex<double> m = gulbrandsen_index(std::max(r, 0.0), g);
-    return {std::clamp(r, 0.0, 0.9999), g, m.re, m.im};
+    return {std::clamp(r, 0.0, gulbrandsen_limit<double>()), g, m.re, m.im};
 }
 
 edge_tint fit_gulbrandsen(const channel& exact) {

@@ -47,7 +47,7 @@ struct edge_tint {
 };
 edge_tint fit_gulbrandsen(const channel& exact);
 
-/// Index of Gulbrandsen's parameters; r is limited to 0.9999 as in the model.
+/// Index of Gulbrandsen's parameters; r is limited as in the model.
 edge_tint index_of(double r, double g);
 
 } // namespace fresnel

@@ -93,11 +93,11 @@ const std::vector<model_row<T>>& model_table() {
 
 template <class T>
 const model_row<T>& find_model(std::string_view name) {
-    std::vector<std::string> names;
-    for (const model_row<T>& row : model_table<T>()) {
+    for (const model_row<T>& row : model_table<T>())
         if (row.name == name) return row;
+    std::vector<std::string> names;
+    for (const model_row<T>& row : model_table<T>())
         names.emplace_back(row.name);
-    }
     throw bad_input(
         fmt::format("model '{}' is unknown{}; `fresnel models` lists them", name, did_you_mean(name, names)));
 }

@@ -205,17 +205,6 @@ tr.chosen td { background: var(--card); font-weight: 600; } tr.chosen td:nth-chi
 figure { margin: 1.2rem 0; } figcaption { color: var(--soft); font-size: .9rem; } svg.fresnel-figure { color: var(--text); width: 100%; height: auto; } svg image { image-rendering: pixelated; }
 )";
 
-std::string escaped(std::string_view text) {
-    std::string result;
-    for (const char c : text)
-        result += c == '&'   ? "&amp;"
-                  : c == '<' ? "&lt;"
-                  : c == '>' ? "&gt;"
-                  : c == '"' ? "&quot;"
-                             : std::string(1, c);
-    return result;
-}
-
 // The exact colours from 0 to 90 degrees as a bar.
 std::string swatch(const comparison& r) {
     std::string stops;
@@ -250,7 +239,8 @@ std::string model_table_html(const comparison& r) {
             "<tr{}><td>{}</td><td class=\"left\">{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
             "<td>{:.2f}</td><td class=\"wrap\">{}</td></tr>\n",
             &m == &r.best_choice() ? " class=\"chosen\"" : "", m.rank, m.name, m.cost, three(m.error.max, 4),
-            three(m.error.rms, 4), three(m.error.cosine, 4), m.error.delta_e_max, escaped(parameter_text(m)));
+            three(m.error.rms, 4), three(m.error.cosine, 4), m.error.delta_e_max,
+            markup_text(parameter_text(m)));
     return "<div class=\"scroll\"><table><tr><th>rank</th><th "
            "class=\"left\">model</th><th>operations</th><th>max error, R G B</th>"
            "<th>RMS over θ</th><th>cosine-weighted</th><th>worst ΔE₀₀</th><th class=\"left\">fitted "
@@ -260,10 +250,10 @@ std::string model_table_html(const comparison& r) {
 
 std::string provenance(const report_entry& entry) {
     const material& m = entry.substance;
-    std::string text = escaped(m.citation);
-    if (!m.page.empty()) text += fmt::format(" — refractiveindex.info, page {}", escaped(m.page));
+    std::string text = markup_text(m.citation);
+    if (!m.page.empty()) text += fmt::format(" — refractiveindex.info, page {}", markup_text(m.page));
     if (has_range(m)) text += ". Known only as a range; its middle is used";
-    return fmt::format("{}. {}", text, escaped(m.quality));
+    return fmt::format("{}. {}", text, markup_text(m.quality));
 }
 
 std::string section(const report_entry& entry, const std::vector<figure>& figures, const std::string& dir) {
@@ -271,15 +261,15 @@ std::string section(const report_entry& entry, const std::vector<figure>& figure
     const rgb8 codes = encode_srgb8(to_srgb(r.colour.f0, r.colour.space));
     std::string html =
         fmt::format("<section id=\"{}\"><h2>{}</h2>\n<p class=\"verdict\">{}</p>\n",
-                    slug(entry.substance.name), escaped(entry.substance.name), escaped(verdict(r)));
+                    slug(entry.substance.name), markup_text(entry.substance.name), markup_text(verdict(r)));
     html +=
         fmt::format("<p>{} F0 = {}, F82 = {}, {}{}</p>\n<p class=\"soft\">{}. Ambient index {}. {}</p>\n",
                     swatch(r), three(r.colour.f0, 4), three(r.colour.f82, 4), to_hex(codes),
                     in_gamut(to_srgb(r.colour.f0, r.colour.space)) ? "" : " (clamped: F0 lies outside sRGB)",
-                    escaped(r.colour.recipe), r.colour.ambient, provenance(entry));
+                    markup_text(r.colour.recipe), r.colour.ambient, provenance(entry));
     for (const figure& f : figures)
         html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", inline_svg(f, dir),
-                            escaped(f.caption));
+                            markup_text(f.caption));
     return html + model_table_html(r) + "</section>\n";
 }
 
@@ -287,11 +277,11 @@ std::string page(const std::vector<report_entry>& entries, const std::vector<std
                  const std::string& dir) {
     std::string summary, sections;
     for (std::size_t i = 0; i < entries.size(); ++i) {
-        const std::string name = escaped(entries[i].substance.name);
+        const std::string name = markup_text(entries[i].substance.name);
         summary += fmt::format("<tr><td class=\"left\"><a href=\"#{}\">{}</a></td><td>{}</td><td "
                                "class=\"left\"><b>{}</b></td><td class=\"wrap\">{}</td></tr>\n",
                                slug(entries[i].substance.name), name, swatch(entries[i].result),
-                               entries[i].result.best_choice().name, escaped(verdict(entries[i].result)));
+                               entries[i].result.best_choice().name, markup_text(verdict(entries[i].result)));
         sections += section(entries[i], figures[i], dir);
     }
     return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "

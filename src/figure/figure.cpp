@@ -24,6 +24,17 @@ std::string csv_cell(const std::string& text) {
 
 } // namespace
 
+std::string markup_text(std::string_view text) {
+    std::string result;
+    for (const char c : text)
+        result += c == '&'   ? "&amp;"
+                  : c == '<' ? "&lt;"
+                  : c == '>' ? "&gt;"
+                  : c == '"' ? "&quot;"
+                             : std::string(1, c);
+    return result;
+}
+
 void write_file(const std::string& path, const std::string& text) {
     const std::string beside = fmt::format("{}.{}.part", path, getpid());
     {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 // A figure is data; the writers turn it into SVG, PNG, PDF, CSV and JSON. Text is plain: nothing in a label is
@@ -95,6 +96,9 @@ std::string to_csv(const figure& what);
 
 /// A plain picture of the rows, without axes, one pixel column per colour and `height` pixels per row.
 void write_strip_png(const std::string& path, const std::vector<strip>& rows, int height);
+
+/// Text as it must stand in SVG and HTML, in an element or a quoted attribute.
+std::string markup_text(std::string_view text);
 
 /// Writes text to a file beside the wanted one and renames it. Throws failure naming the path.
 void write_file(const std::string& path, const std::string& text);

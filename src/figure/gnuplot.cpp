@@ -270,17 +270,10 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
         text.replace(at, from.size(), to);
 }
 
-std::string escaped(std::string text) {
-    replace_all(text, "&", "&amp;");
-    replace_all(text, "<", "&lt;");
-    replace_all(text, ">", "&gt;");
-    return text;
-}
-
 void replace_element(std::string& text, const std::string& name, const std::string& content) {
     const std::size_t begin = text.find("<" + name + ">"), end = text.find("</" + name + ">");
     if (begin != std::string::npos && end != std::string::npos)
-        text.replace(begin, end - begin, "<" + name + ">" + escaped(content));
+        text.replace(begin, end - begin, "<" + name + ">" + markup_text(content));
 }
 
 // gnuplot's SVG with a title for screen readers, ids of its own, and black turned into the reader's text colour.
