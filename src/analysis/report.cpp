@@ -77,7 +77,7 @@ figure curves_figure(const report_entry& entry, const std::string& name) {
         add(schlick->curve, "schlick", stroke::dotted, 1.6);
     add(best.curve, best.name, stroke::dashed, 1.8);
     p.y.tick = lowest < 0.5 ? 0.2 : 0.1;
-    p.y.lo = std::max(0.0, floor_to(lowest - 0.02, p.y.tick)),
+    p.y.lo = std::max(0.0, floor_to(lowest - 0.06, p.y.tick)),
     p.y.hi = highest > 1.001 ? ceil_to(highest, 0.05) : 1;
 
     const std::size_t c = best.error.worst_channel();
