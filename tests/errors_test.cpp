@@ -2,6 +2,7 @@
 
 #include "analysis/curve.hpp"
 #include "analysis/fit.hpp"
+#include "analysis/measure.hpp"
 #include "analysis/multi.hpp"
 
 #include <gtest/gtest.h>
@@ -86,17 +87,13 @@ channel channel_of(optical_index index) {
     return one;
 }
 
-// Caesium's plasma edge lies in the visible, and there nothing but the exact equations follows it.
 double over_metals(std::string_view name) {
     double worst = 0;
-    for (const material& m : builtin_materials()) {
-        if (m.name == "caesium" || m.category != "metal" || m.kind != material_kind::spectral) continue;
-        for (const double nm : {450.0, 550.0, 650.0}) {
-            const channel one = channel_of(index_at(m, nm));
-            const std::vector<double> R = evaluate(name, fit(name, one), one.cos_i);
-            for (std::size_t i = 0; i < R.size(); ++i)
-                worst = std::max(worst, std::abs(R[i] - one.R[i]));
-        }
+    for (const metal_sample& metal : metal_samples()) {
+        const channel one = channel_of(metal.index);
+        const std::vector<double> R = evaluate(name, fit(name, one), one.cos_i);
+        for (std::size_t i = 0; i < R.size(); ++i)
+            worst = std::max(worst, std::abs(R[i] - one.R[i]));
     }
     return worst;
 }

@@ -45,6 +45,7 @@ void build(CLI::App& app) {
     add_materials(app);
     add_f0(app);
     add_compare(app);
+    add_angles(app);
 }
 
 // A misspelt command is told apart from a misspelt option, so that the nearest command can be named.

@@ -1,5 +1,6 @@
 #include "analysis/curve.hpp"
 
+#include "analysis/angles.hpp"
 #include "analysis/fit.hpp"
 #include "error.hpp"
 #include "materials/observer.hpp"
@@ -7,8 +8,6 @@
 #include <fresnel/exact.hpp>
 
 #include <fmt/format.h>
-
-#include <boost/math/quadrature/gauss.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -33,19 +32,6 @@ struct index_spectrum {
         return R;
     }
 };
-
-// The integral of R 2 c dc. A critical angle makes R end in a square root, which the substitution
-// c = c_0 + (1 - c_0) t^2 above it takes away; below it R is 1.
-double hemispherical_average(double ambient, optical_index index) {
-    const double sin_c = index.n / ambient;
-    const double c_0 = index.k == 0 && sin_c < 1 ? std::sqrt((1 - sin_c) * (1 + sin_c)) : 0;
-    const auto integrand = [&](double t) {
-        const double c = c_0 + (1 - c_0) * t * t;
-        return conductor(ambient, index.n, index.k, c).reflectance() * 4 * c * (1 - c_0) * t;
-    };
-    return (index.n == ambient && index.k == 0 ? 0 : c_0 * c_0) +
-           boost::math::quadrature::gauss<double, 30>::integrate(integrand, 0.0, 1.0);
-}
 
 } // namespace
 
@@ -87,7 +73,7 @@ normal_colour colour_at_normal(const material& substance, color_space space, dou
     result.f82 = integrate(how, indices.reflectance(ambient, ratio<double, 1, 7>()));
     std::vector<double> average;
     for (const optical_index& index : indices.at)
-        average.push_back(hemispherical_average(ambient, index));
+        average.push_back(hemispherical_average(ambient, index.n, index.k));
     result.average = integrate(how, average);
 
     const rgb_curve exact = exact_curve(substance, space, ambient, 1);

@@ -1,38 +1,13 @@
 #include "analysis/fit.hpp"
 
+#include "analysis/minimize.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace fresnel {
 
 namespace {
-
-using function = std::function<double(double)>;
-
-/// Minimum of f on [lo, hi]: the best of a uniform scan, refined by golden section between its neighbours.
-/// The scan guards against the second minimum that a clamped model may have.
-double minimize(double lo, double hi, const function& f) {
-    constexpr int scan = 32;
-    const auto at = [&](int i) { return lo + (hi - lo) * i / scan; };
-    int best = 0;
-    double least = f(lo);
-    for (int i = 1; i <= scan; ++i)
-        if (const double value = f(at(i)); value < least) least = value, best = i;
-
-    const double golden = (std::sqrt(5.0) - 1) / 2;
-    double a = at(std::max(best - 1, 0)), b = at(std::min(best + 1, scan));
-    double x = b - golden * (b - a), y = a + golden * (b - a);
-    double fx = f(x), fy = f(y);
-    while (b - a > 1e-9 * (hi - lo)) {
-        if (fx < fy)
-            b = y, y = x, fy = fx, x = b - golden * (b - a), fx = f(x);
-        else
-            a = x, x = y, fx = fy, y = a + golden * (b - a), fy = f(y);
-    }
-    const double inner = (a + b) / 2;
-    return f(inner) < least ? inner : at(best);
-}
 
 double inside(double value, std::string_view model, std::string_view name) {
     for (const parameter& p : find_model<double>(model).parameters)
@@ -49,7 +24,7 @@ double squared_error(std::string_view model, const parameters& values, const cha
 }
 
 /// The exponent of least squared error; searched on a logarithmic scale.
-double fit_exponent(double lo, double hi, const function& error_of) {
+double fit_exponent(double lo, double hi, const std::function<double(double)>& error_of) {
     return std::exp2(
         minimize(std::log2(lo), std::log2(hi), [&](double e) { return error_of(std::exp2(e)); }));
 }
@@ -161,6 +136,14 @@ edge_tint index_of(double r, double g) {
 edge_tint fit_gulbrandsen(const channel& exact) {
     const double r = unit(exact.f0);
     return index_of(r, minimize(0, 1, [&](double g) { return squared_error("gulbrandsen", {r, g}, exact); }));
+}
+
+metal_dip find_metal_dip(double n, double k) {
+    const auto error = [&](double c) {
+        return conductor(1.0, n, k, c).reflectance() - schlick_nk(n, k, c);
+    };
+    const double c = minimize(0, 1, error);
+    return {c, error(c), std::log(-error(c) / (2 * n * c)) / std::log(1 - c)};
 }
 
 parameters fit(std::string_view model, const channel& exact) {

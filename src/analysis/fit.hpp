@@ -50,4 +50,19 @@ edge_tint fit_gulbrandsen(const channel& exact);
 /// Index of Gulbrandsen's parameters; r is limited as in the model.
 edge_tint index_of(double r, double g);
 
+/// Where Schlick's approximation misses a metal most, and the exponent that makes Lazanyi's term with a = 2 n
+/// equal to the miss there.
+struct metal_dip {
+    double cos_i; ///< of the least exact - schlick_nk
+    double error; ///< that difference, negative
+    double alpha; ///< 2 n c (1 - c)^alpha = -error
+};
+
+/// Lagarde's way to Lazanyi's alpha: match the error at its minimum only. `fit("lazanyi", ...)` is the way of
+/// least squares.
+///
+/// n, k    relative to the ambient medium; a metal's, k >= 1
+/// source  Lagarde 2013, "Memo on Fresnel equations"
+metal_dip find_metal_dip(double n, double k);
+
 } // namespace fresnel

@@ -47,12 +47,28 @@ void write_file(const std::string& path, const std::string& text) {
     throw failure(fmt::format("{}: cannot be written", path));
 }
 
+namespace {
+
+nlohmann::json to_json(const table& what) {
+    nlohmann::json columns = nlohmann::json::array(), rows = columns;
+    for (const table::column& c : what.columns)
+        columns.push_back(c.title);
+    for (const auto& row : what.rows) {
+        nlohmann::json& cells = rows.emplace_back(nlohmann::json::array());
+        for (const table::cell& c : row)
+            cells.push_back(c.swatch ? nlohmann::json(*c.swatch) : nlohmann::json(c.text));
+    }
+    return {{"columns", columns}, {"rows", rows}, {"notes", what.notes}};
+}
+
+} // namespace
+
 nlohmann::json to_json(const figure& what) {
     const auto axis_json = [](const axis& a) {
         return nlohmann::json{{"label", a.label}, {"lo", a.lo}, {"hi", a.hi}, {"tick", a.tick}};
     };
     constexpr std::array<const char*, 4> styles = {"solid", "dashed", "dotted", "points"};
-    nlohmann::json curves = nlohmann::json::array(), markers = curves, rows = curves, surface;
+    nlohmann::json curves = nlohmann::json::array(), markers = curves, notes = curves, rows = curves, surface;
     for (std::size_t i = 0; i < what.panels.size(); ++i) {
         const panel& p = what.panels[i];
         for (const series& s : p.curves)
@@ -65,6 +81,8 @@ nlohmann::json to_json(const figure& what) {
                               {"width", s.width},
                               {"x_axis", axis_json(p.x)},
                               {"y_axis", axis_json(p.y)}});
+        for (const note& n : p.notes)
+            notes.push_back({{"panel", i}, {"x", n.x}, {"y", n.y}, {"text", n.text}, {"color", n.color}});
         for (const marker& m : p.markers)
             markers.push_back({{"panel", i}, {"x", m.x}, {"y", m.y}, {"label", m.label}, {"color", m.color}});
     }
@@ -77,8 +95,9 @@ nlohmann::json to_json(const figure& what) {
                    {"x_axis", axis_json(what.surface->x_axis)},
                    {"y_axis", axis_json(what.surface->y_axis)},
                    {"z_axis", axis_json(what.surface->z_axis)}};
-    return {{"id", what.id},      {"title", what.title}, {"caption", what.caption}, {"series", curves},
-            {"markers", markers}, {"strips", rows},      {"surface", surface}};
+    return {{"id", what.id},      {"title", what.title}, {"caption", what.caption},
+            {"series", curves},   {"markers", markers},  {"notes", notes},
+            {"strips", rows},     {"surface", surface},  {"table", what.cells ? to_json(*what.cells) : nullptr}};
 }
 
 std::string to_csv(const figure& what) {

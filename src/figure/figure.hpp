@@ -40,12 +40,27 @@ struct axis {
     double tick = 0; ///< distance of the ticks; 0 lets the writer choose
 };
 
-/// Curves over one pair of axes.
+/// Words in a panel, at a point of its axes.
+struct note {
+    enum class side { left, center, right };
+
+    double x, y;
+    std::string text;
+    side align = side::center;     ///< which side of the text stands at the point
+    std::string color = "#808080"; ///< #rrggbb
+};
+
+/// Curves over one pair of axes; a diagram has the axes' ranges, but no frame, ticks or legend.
 struct panel {
     axis x, y;
     std::vector<series> curves;
     std::vector<marker> markers;
+    std::vector<note> notes = {};
+    bool diagram = false;
 };
+
+/// Width by height of a diagram's panel: ranges in this ratio show right angles as such.
+inline constexpr double diagram_aspect = 744.0 / 330;
 
 /// A row of colours along the x axis of `strips`: 8-bit sRGB, the first at x.lo and the last at x.hi.
 struct strip {
@@ -65,13 +80,32 @@ struct height_field {
     std::vector<std::vector<double>> z;
 };
 
-/// What is drawn, top to bottom: the panels, the strips, or a surface.
+/// Text in rows and columns; a cell with a colour is a swatch.
+struct table {
+    struct column {
+        std::string title;
+        double width = 1; ///< relative to the other columns
+        bool numeric = true;
+    };
+    struct cell {
+        std::string text;
+        std::optional<std::array<std::uint8_t, 3>> swatch = {}; ///< 8-bit sRGB
+        bool remarkable = false;                                ///< printed in an accent colour
+    };
+
+    std::vector<column> columns;
+    std::vector<std::vector<cell>> rows;
+    std::vector<std::string> notes; ///< sentences below, numbered from 1
+};
+
+/// What is drawn, top to bottom: a surface, the panels, the strips, a table.
 struct figure {
     std::string id; ///< file name without its ending: letters, digits, - and _
     std::string title, caption;
     std::vector<panel> panels;
     strips colors;
-    std::optional<height_field> surface;
+    std::optional<height_field> surface = {};
+    std::optional<table> cells = {};
 };
 
 enum class format { svg, png, pdf };
@@ -88,7 +122,7 @@ void write_figures(const std::vector<figure>& figures, const std::string& dir,
 std::string inline_svg(const figure& what, const std::string& dir);
 
 /// The whole figure, enough to draw it again: {id, title, caption, series: [{label, panel, x, y, color, style,
-/// width, x_axis, y_axis}], markers, strips, surface}. A NaN becomes null.
+/// width, x_axis, y_axis}], markers, notes, strips, surface, table}. A NaN becomes null.
 nlohmann::json to_json(const figure& what);
 
 /// The series as columns: x and y of each, side by side; empty cells where a series is shorter.

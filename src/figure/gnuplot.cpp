@@ -25,7 +25,8 @@ namespace {
 // Sizes in the pixels of the SVG; PNG and PDF are scaled.
 constexpr double width = 860, left = 90, right_with_legend = 226, right = 26;
 constexpr double title_height = 44, panel_height = 330, panel_foot = 74, strip_height = 30,
-                 surface_height = 520;
+                 surface_height = 520, row_height = 25, note_height = 18;
+constexpr std::size_t note_columns = 118; // characters of a note's line
 
 // Text in single quotes, where gnuplot interprets nothing but the quote itself. A line end would end the command.
 std::string quoted(const std::string& text) {
@@ -56,7 +57,12 @@ void check(const figure& f) {
             require(s.x.size() == s.y.size() && is_color(s.color), f, "a series is malformed");
         for (const marker& m : p.markers)
             require(is_color(m.color), f, "a marker's colour must be #rrggbb");
+        for (const note& n : p.notes)
+            require(is_color(n.color), f, "a note's colour must be #rrggbb");
     }
+    if (f.cells)
+        for (const auto& row : f.cells->rows)
+            require(row.size() == f.cells->columns.size(), f, "a table's rows must have a cell for each column");
     for (const strip& s : f.colors.rows)
         require(s.pixels.size() == f.colors.rows.front().pixels.size(), f, "strips must be equally long");
     if (!f.surface) return;
@@ -68,12 +74,42 @@ void check(const figure& f) {
 bool has_legend(const figure& f) {
     for (const panel& p : f.panels)
         for (const series& s : p.curves)
-            if (!s.label.empty()) return true;
+            if (!s.label.empty() && !p.diagram) return true;
     return false;
 }
 
+// A sentence in lines of at most so many bytes, broken between words.
+std::vector<std::string> wrapped(const std::string& text, std::size_t limit) {
+    std::vector<std::string> lines(1);
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+        if (lines.back().size() + 1 + word.size() > limit) lines.emplace_back();
+        lines.back() += (lines.back().empty() ? "" : " ") + word;
+    }
+    return lines;
+}
+
+// The notes of a table as lines, each note beginning with its number.
+std::vector<std::string> note_lines(const table& t) {
+    std::vector<std::string> lines;
+    for (std::size_t i = 0; i < t.notes.size(); ++i)
+        for (const std::string& line : wrapped(fmt::format("{}  {}", i + 1, t.notes[i]), note_columns))
+            lines.push_back(line);
+    return lines;
+}
+
+double height_of(const table& t) {
+    return static_cast<double>(t.rows.size() + 1) * row_height + 16 +
+           static_cast<double>(note_lines(t).size()) * note_height;
+}
+
+double height_of(const panel& p) { return panel_height + (p.diagram ? 20 : panel_foot); }
+
 double height_of(const figure& f) {
-    double height = title_height + static_cast<double>(f.panels.size()) * (panel_height + panel_foot);
+    double height = title_height;
+    for (const panel& p : f.panels)
+        height += height_of(p);
+    if (f.cells) height += height_of(*f.cells);
     if (!f.colors.rows.empty())
         height += static_cast<double>(f.colors.rows.size()) * strip_height + panel_foot;
     return f.surface ? height + surface_height : height;
@@ -123,10 +159,23 @@ private:
 
     static std::string ticks(const axis& a) { return a.tick > 0 ? fmt::format("{}", a.tick) : "autofreq"; }
 
-    void draw(const panel& p) {
+    // Ranges without a frame.
+    void bare(const axis& x, const axis& y) {
+        command("set xrange [{}:{}]\nset yrange [{}:{}]", x.lo, x.hi, y.lo, y.hi);
+        command("unset border\nunset xtics\nunset ytics\nunset xlabel\nunset ylabel\nunset grid\nunset key");
+    }
+
+    void frame(const panel& p) {
         axes(p.x, p.y);
         command("set border 3 lc rgb '#808080' lw 0.8\nset grid lc rgb '#808080' lw 0.35 dt 1");
         command("set key at graph 1.03,1.0 left top Left reverse samplen 2.2 spacing 1.15 width -2");
+    }
+
+    void draw(const panel& p) {
+        if (p.diagram)
+            bare(p.x, p.y);
+        else
+            frame(p);
         std::string plots;
         for (const series& s : p.curves)
             plots += plot(s);
@@ -140,6 +189,12 @@ private:
             command("set label {} {} at {},{} {} offset {},0.6 front", ++label, quoted(m.label), m.x,
                     m.at_foot ? p.y.lo : m.y, at_left ? "right" : "left", at_left ? -0.8 : 0.8);
         }
+        for (const note& n : p.notes)
+            command("set label {} {} at {},{} {} tc rgb '{}' front", ++label, quoted(n.text), n.x, n.y,
+                    n.align == note::side::left    ? "left"
+                    : n.align == note::side::right ? "right"
+                                                   : "center",
+                    n.color);
         command("plot {}", plots.empty() ? "NaN notitle" : plots.substr(0, plots.size() - 2));
         command("unset arrow\nunset label\nunset object");
     }
@@ -196,6 +251,8 @@ private:
             rows += "\n";
         }
         command("unset lmargin\nunset rmargin\nunset tmargin\nunset bmargin\nunset key\nunset grid");
+        command("set size 1,{}\nset origin 0,{}", surface_height / height_,
+                1 - (title_height + surface_height) / height_);
         command("set xrange [{}:{}]\nset yrange [{}:{}]\nset zrange [{}:{}]\nset cbrange [{}:{}]",
                 s.x_axis.lo, s.x_axis.hi, s.y_axis.lo, s.y_axis.hi, s.z_axis.lo, s.z_axis.hi, s.z_axis.lo,
                 s.z_axis.hi);
@@ -212,6 +269,48 @@ private:
                 "6 '#22a884', 7 '#44bf70', 8 '#7ad151', 9 '#bddf26', 10 '#fde725')");
         command("set pm3d depthorder border lc rgb '#40ffffff' lw 0.3");
         command("splot {} using 1:2:3 with pm3d notitle", block(rows));
+        command("unset label\nset size 1,1\nset origin 0,0");
+    }
+
+    // Drawn in pixels, y downward from the table's top.
+    void draw(const table& t, double top) {
+        const double table_left = 24, table_width = width - 2 * table_left, height = height_of(t);
+        command("set lmargin at screen 0\nset rmargin at screen 1\nset tmargin at screen {}\nset bmargin at "
+                "screen {}",
+                1 - top / height_, 1 - (top + height) / height_);
+        bare({"", 0, width, 0}, {"", -height, 0, 0});
+        double total = 0;
+        for (const table::column& c : t.columns)
+            total += c.width;
+        double x = table_left;
+        for (std::size_t c = 0; c < t.columns.size(); ++c) {
+            const double w = table_width * t.columns[c].width / total;
+            draw_cell({t.columns[c].title}, t.columns[c].numeric, x, w, 0);
+            for (std::size_t r = 0; r < t.rows.size(); ++r)
+                draw_cell(t.rows[r][c], t.columns[c].numeric, x, w, static_cast<double>(r + 1) * row_height);
+            x += w;
+        }
+        for (std::size_t r = 0; r <= t.rows.size(); ++r) {
+            const double y = static_cast<double>(r + 1) * row_height;
+            command("set arrow from {0},{2} to {1},{2} nohead lc rgb '#808080' lw {3}", table_left,
+                    width - table_left, -y, r == 0 ? 0.9 : 0.3);
+        }
+        double y = static_cast<double>(t.rows.size() + 1) * row_height + 14;
+        for (const std::string& line : note_lines(t)) {
+            command("set label {} at {},{} left font ',12' tc rgb '#808080'", quoted(line), table_left, -y);
+            y += note_height;
+        }
+        command("plot NaN notitle\nunset arrow\nunset label\nunset object");
+    }
+
+    void draw_cell(const table::cell& c, bool numeric, double x, double w, double y) {
+        const double middle = -y - row_height / 2;
+        if (c.swatch)
+            command("set object rectangle from {},{} to {},{} fs solid noborder fc rgb '#{:02x}{:02x}{:02x}'",
+                    x + 8, middle - 9, x + w, middle + 9, (*c.swatch)[0], (*c.swatch)[1], (*c.swatch)[2]);
+        else if (!c.text.empty())
+            command("set label {} at {},{} {} font ',13' {}", quoted(c.text), numeric ? x + w : x, middle,
+                    numeric ? "right" : "left", c.remarkable ? "tc rgb '#c0392b'" : "");
     }
 
     void build() {
@@ -219,17 +318,22 @@ private:
         command("set label 1000 {} at screen 0.5,{} center front font ',17'", quoted(figure_.title),
                 1 - 0.55 * title_height / height_);
         double top = title_height;
+        if (figure_.surface) {
+            draw(*figure_.surface);
+            top += surface_height;
+        }
         for (const panel& p : figure_.panels) {
             place(top, panel_height);
             draw(p);
-            top += panel_height + panel_foot;
+            top += height_of(p);
         }
         if (!figure_.colors.rows.empty()) {
             const double height = static_cast<double>(figure_.colors.rows.size()) * strip_height;
             place(top, height);
             draw(figure_.colors);
+            top += height + panel_foot;
         }
-        if (figure_.surface) draw(*figure_.surface);
+        if (figure_.cells) draw(*figure_.cells, top);
         command("unset multiplot\nunset label\nreset");
     }
 
