@@ -34,8 +34,7 @@ double checked(const parameter& p, const std::string& text) {
 
 media chosen_media(const options& given) {
     const double n_i = checked(row::n_i, given.n_i);
-    if (given.material.empty() == given.n_t.empty())
-        throw bad_input("--n-t, --material: give one of them");
+    if (given.material.empty() == given.n_t.empty()) throw bad_input("--n-t, --material: give one of them");
     if (given.material.empty()) return {n_i, checked(row::n_t, given.n_t), checked(row::k_t, given.k_t)};
     const double nm = checked({"--wavelength", "nm", 1, 1e9, 550}, given.wavelength);
     const optical_index index = index_at(load_material(given.material), nm);
@@ -92,8 +91,9 @@ void print(const media& m, const boundary_angles& a) {
     line("Brewster", a.brewster, "°", "R_p = 0");
     line("pseudo-Brewster", a.pseudo_brewster, "°", "R_p is least");
     line("critical", a.critical, "°", "total internal reflection beyond it");
-    line("least", a.least, "°", a.least ? fmt::format("unpolarised R is least, {:.6f}", *a.least_reflectance)
-                                        : "unpolarised R only rises");
+    line("least", a.least, "°",
+         a.least ? fmt::format("unpolarised R is least, {:.6f}", *a.least_reflectance)
+                 : "unpolarised R only rises");
     line("average", a.average, "", "hemispherical, from this side");
     line("average inside", a.average_inside, "", "hemispherical, from the other side");
 }

@@ -2,6 +2,7 @@
 #include "commands.hpp"
 
 #include "analysis/report.hpp"
+#include "figure/page.hpp"
 
 #include <fmt/format.h>
 

@@ -46,6 +46,9 @@ void build(CLI::App& app) {
     add_f0(app);
     add_compare(app);
     add_angles(app);
+    add_figures(app);
+    add_claims(app);
+    add_convert(app);
 }
 
 // A misspelt command is told apart from a misspelt option, so that the nearest command can be named.

@@ -27,7 +27,9 @@ double cosine_integral(const std::vector<double>& cos_i, const std::vector<doubl
     return sum;
 }
 
-curve_error measure(const rgb_curve& exact, const std::vector<rgb>& model) {
+} // namespace
+
+curve_error error_of(const std::vector<rgb>& model, const rgb_curve& exact) {
     curve_error error{};
     for (std::size_t i = 0; i < 3; ++i) {
         std::vector<double> difference;
@@ -49,6 +51,17 @@ curve_error measure(const rgb_curve& exact, const std::vector<rgb>& model) {
     return error;
 }
 
+curve_error schlick_error(const material& substance, color_space space) {
+    const rgb_curve exact = exact_curve(substance, space, 1);
+    const rgb& f0 = exact.value.front();
+    std::vector<rgb> model;
+    for (const double c : exact.cos_i)
+        model.push_back({schlick(f0[0], c), schlick(f0[1], c), schlick(f0[2], c)});
+    return error_of(model, exact);
+}
+
+namespace {
+
 surface_class classify(const material& substance, double ambient) {
     double lowest = 1e9, highest = 0, k = 0;
     for (int nm = 400; nm <= 700; nm += 10) {
@@ -68,7 +81,7 @@ model_fit fit_model(std::string_view name, const std::array<channel, 3>& channel
         for (std::size_t a = 0; a < R.size(); ++a)
             result.curve[a][i] = R[a];
     }
-    result.error = measure(exact, result.curve);
+    result.error = error_of(result.curve, exact);
     result.cost = 3 * count_operations(name).cost();
     return result;
 }

@@ -25,6 +25,12 @@ struct curve_error {
     std::size_t worst_channel() const;
 };
 
+/// The error of colours at the exact curve's angles.
+curve_error error_of(const std::vector<rgb>& model, const rgb_curve& exact);
+
+/// The error of `schlick` on a material in air, f0 exact.
+curve_error schlick_error(const material& substance, color_space space);
+
 /// One model fitted to a material.
 struct model_fit {
     std::string name;

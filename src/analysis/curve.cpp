@@ -52,16 +52,24 @@ spectral_surface exact_surface(const material& substance, double ambient, std::v
     return surface;
 }
 
-rgb_curve exact_curve(const material& substance, color_space space, double ambient, double step_deg) {
+std::vector<rgb> exact_colours(const material& substance, color_space space, double ambient,
+                               const std::vector<double>& cos_i) {
     const recipe& how = default_recipe(space);
     const index_spectrum indices(substance, how.wavelength_nm);
+    std::vector<rgb> colours;
+    for (const double c : cos_i)
+        colours.push_back(integrate(how, indices.reflectance(ambient, c)));
+    return colours;
+}
+
+rgb_curve exact_curve(const material& substance, color_space space, double ambient, double step_deg) {
     rgb_curve curve{space, {}, {}, {}};
     const int steps = static_cast<int>(std::lround(90 / step_deg));
     for (int i = 0; i <= steps; ++i) {
         curve.theta_deg.push_back(90.0 * i / steps);
         curve.cos_i.push_back(cosine_of_degrees(curve.theta_deg.back()));
-        curve.value.push_back(integrate(how, indices.reflectance(ambient, curve.cos_i.back())));
     }
+    curve.value = exact_colours(substance, space, ambient, curve.cos_i);
     return curve;
 }
 

@@ -36,6 +36,10 @@ struct rgb_curve {
 /// The exact curve: integrated over the spectrum first and turned into RGB after.
 rgb_curve exact_curve(const material& substance, color_space space, double ambient, double step_deg = 0.25);
 
+/// Exact colours at those cosines.
+std::vector<rgb> exact_colours(const material& substance, color_space space, double ambient,
+                               const std::vector<double>& cos_i);
+
 /// What an artist types in: the colours of a surface at normal incidence and at cos_i = 1/7.
 struct normal_colour {
     std::string material, page;

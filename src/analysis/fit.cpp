@@ -139,9 +139,7 @@ edge_tint fit_gulbrandsen(const channel& exact) {
 }
 
 metal_dip find_metal_dip(double n, double k) {
-    const auto error = [&](double c) {
-        return conductor(1.0, n, k, c).reflectance() - schlick_nk(n, k, c);
-    };
+    const auto error = [&](double c) { return conductor(1.0, n, k, c).reflectance() - schlick_nk(n, k, c); };
     const double c = minimize(0, 1, error);
     return {c, error(c), std::log(-error(c) / (2 * n * c)) / std::log(1 - c)};
 }

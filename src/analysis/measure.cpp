@@ -71,8 +71,7 @@ extremum polarisation_gap(double eta) {
 }
 
 extremum air_conductor_error(double n, double k) {
-    return largest(
-        [=](double c) { return air_conductor(n, k, c) - conductor(1.0, n, k, c).reflectance(); });
+    return largest([=](double c) { return air_conductor(n, k, c) - conductor(1.0, n, k, c).reflectance(); });
 }
 
 extremum schlick_nk_error(double n, double k) {

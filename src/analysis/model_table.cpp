@@ -5,6 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace fresnel {
 
 namespace {
@@ -40,46 +43,71 @@ std::vector<model_row<T>> make_table() {
     }(std::make_index_sequence<std::tuple_size_v<decltype(registry)>>{});
 }
 
-// Counts what it does. A constant is a number made of integers alone: every compiler folds those, so they are
-// free.
+// Remembers what it was made of, so that the operations a result needs can be counted afterwards; what it does not
+// need, a compiler drops. A constant is a number made of integers alone: every compiler folds those, so they are free.
 struct counting {
-    static inline operation_count total{};
+    struct step {
+        operation_count cost;
+        std::array<std::size_t, 3> operands; ///< indices into steps; 0 is an input
+    };
+    static inline std::vector<step> steps;
+
     double value;
+    std::size_t made_by = 0;
     bool constant = false;
 
     counting(int v) : value(v), constant(true) {}
     explicit counting(double v) : value(v) {}
 
-    static counting counted(double v, int& kind, int cost, bool constant) {
-        if (!constant) kind += cost;
+    template <class... Operands>
+    static counting made(double v, operation_count cost, Operands... operands) {
         counting result(v);
-        result.constant = constant;
+        result.constant = (operands.constant && ...);
+        if (result.constant) return result;
+        steps.push_back({cost, {operands.made_by...}});
+        result.made_by = steps.size() - 1;
         return result;
     }
-    static counting cheap(double v, counting a, counting b) {
-        return counted(v, total.cheap, 1, a.constant && b.constant);
+    static constexpr operation_count cheap{1, 0, 0, 0}, division{0, 1, 0, 0}, root{0, 0, 1, 0};
+
+    friend counting operator+(counting a, counting b) { return made(a.value + b.value, cheap, a, b); }
+    friend counting operator-(counting a, counting b) { return made(a.value - b.value, cheap, a, b); }
+    friend counting operator-(counting a) { return made(-a.value, {}, a); }
+    friend counting operator*(counting a, counting b) { return made(a.value * b.value, cheap, a, b); }
+    friend counting operator/(counting a, counting b) { return made(a.value / b.value, division, a, b); }
+    friend counting operator<(counting a, counting b) {
+        return made(a.value < b.value ? 1.0 : 0.0, cheap, a, b);
     }
-    friend counting operator+(counting a, counting b) { return cheap(a.value + b.value, a, b); }
-    friend counting operator-(counting a, counting b) { return cheap(a.value - b.value, a, b); }
-    friend counting operator-(counting a) { return counting(-a.value); }
-    friend counting operator*(counting a, counting b) { return cheap(a.value * b.value, a, b); }
-    friend counting operator/(counting a, counting b) {
-        return counted(a.value / b.value, total.division, 1, a.constant && b.constant);
+    friend counting operator>(counting a, counting b) { return b < a; }
+    friend counting operator<=(counting a, counting b) {
+        return made(a.value <= b.value ? 1.0 : 0.0, cheap, a, b);
     }
-    friend bool operator<(counting a, counting b) { return ++total.cheap, a.value < b.value; }
-    friend bool operator>(counting a, counting b) { return b < a; }
-    friend bool operator<=(counting a, counting b) { return ++total.cheap, a.value <= b.value; }
-    friend counting select(bool mask, counting a, counting b) { return ++total.cheap, mask ? a : b; }
-    friend counting abs(counting a) { return counting(std::abs(a.value)); }
-    friend counting sqrt(counting a) { return counted(std::sqrt(a.value), total.root, 1, a.constant); }
-    friend counting exp2(counting a) {
-        return counted(std::exp2(a.value), total.transcendental, 4, a.constant);
+    friend counting select(counting mask, counting a, counting b) {
+        return made(mask.value != 0 ? a.value : b.value, cheap, mask, a, b);
     }
-    [[maybe_unused]] friend counting log2(counting a) {
-        return counted(std::log2(a.value), total.transcendental, 4, a.constant);
-    }
+    friend counting min(counting a, counting b) { return made(std::min(a.value, b.value), cheap, a, b); }
+    friend counting max(counting a, counting b) { return made(std::max(a.value, b.value), cheap, a, b); }
+    friend counting abs(counting a) { return made(std::abs(a.value), {}, a); }
+    friend counting sqrt(counting a) { return made(std::sqrt(a.value), root, a); }
+    friend counting exp2(counting a) { return made(std::exp2(a.value), {0, 0, 0, 4}, a); }
+    [[maybe_unused]] friend counting log2(counting a) { return made(std::log2(a.value), {0, 0, 0, 4}, a); }
     friend counting pow(counting a, counting b) {
-        return counted(std::pow(a.value, b.value), total.transcendental, 9, a.constant && b.constant);
+        return made(std::pow(a.value, b.value), {0, 0, 0, 9}, a, b);
+    }
+
+    // The operations behind one result, each once however often its value is used.
+    operation_count needed() const {
+        std::vector<bool> wanted(made_by + 1);
+        wanted[made_by] = true;
+        operation_count sum{};
+        for (std::size_t i = made_by; i > 0; --i) {
+            if (!wanted[i]) continue;
+            sum.cheap += steps[i].cost.cheap, sum.division += steps[i].cost.division;
+            sum.root += steps[i].cost.root, sum.transcendental += steps[i].cost.transcendental;
+            for (const std::size_t operand : steps[i].operands)
+                wanted[operand] = true;
+        }
+        return sum;
     }
 };
 
@@ -128,16 +156,20 @@ std::string_view to_string(model_kind kind) {
 
 operation_count count_operations(std::string_view name) {
     const model_row<double>& model = find_model<double>(name);
+    counting::steps.assign(1, {});
     std::vector<counting> values;
     for (const parameter& p : model.parameters)
         values.emplace_back(p.default_value);
-    counting::total = {};
+    operation_count count{};
     for_each_model([&](const auto& row) {
         if (row.name != name) return;
         const auto result = evaluate(row, values, counting(0.5));
-        if constexpr (!std::is_same_v<std::remove_cv_t<decltype(result)>, counting>) result.reflectance();
+        if constexpr (std::is_same_v<std::remove_cv_t<decltype(result)>, counting>)
+            count = result.needed();
+        else
+            count = result.reflectance().needed();
     });
-    return counting::total;
+    return count;
 }
 
 } // namespace fresnel

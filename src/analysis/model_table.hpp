@@ -41,9 +41,9 @@ inline constexpr parameter cosine{"cos_i", "1", 0, 1, 1};
 
 std::string_view to_string(model_kind kind);
 
-/// Operations of one evaluation, counted by running the model on a number that counts: + - * comparisons and
-/// selections are 1, a division, square root, exp2 or log2 is 4 and a pow 9, the rates of a graphics
-/// processor. For a model of several channels the caller multiplies.
+/// Operations that one unpolarised reflectance needs, counted by running the model on a number that remembers how
+/// it was made: + - * comparisons and selections are 1, a division, square root, exp2 or log2 is 4 and a pow 9, the
+/// rates of a graphics processor; a change of sign is free. For a model of several channels the caller multiplies.
 struct operation_count {
     int cheap, division, root, transcendental;
     int cost() const { return cheap + 4 * (division + root) + transcendental; }

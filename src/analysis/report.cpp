@@ -1,7 +1,8 @@
 #include "analysis/report.hpp"
 
-#include "error.hpp"
+#include "analysis/drawing.hpp"
 #include "figure/figure.hpp"
+#include "figure/page.hpp"
 #include "materials/observer.hpp"
 
 #include <fmt/format.h>
@@ -9,13 +10,10 @@
 #include <cmath>
 #include <filesystem>
 
-#include <unistd.h>
-
 namespace fresnel {
 
 namespace {
 
-constexpr std::array<const char*, 3> channel_colors = {"#d92b2b", "#1fa84a", "#3b6fd4"};
 // at least 3 : 1 against white and #14171b, and apart from each other under colour blindness
 constexpr std::array<const char*, 6> model_colors = {"#0072b2", "#d55e00", "#1f9d78",
                                                      "#9b4df0", "#b58a5a", "#d966a8"};
@@ -31,17 +29,6 @@ std::string slug(std::string name) {
 }
 
 // ---- figures ----------------------------------------------------------------------------------------------
-
-series channel_series(const std::vector<rgb>& values, const std::vector<double>& theta, std::size_t channel) {
-    series s{"", theta, {}, channel_colors[channel]};
-    for (const rgb& v : values)
-        s.y.push_back(v[channel]);
-    return s;
-}
-
-// The smallest multiple of step below, and above.
-double floor_to(double value, double step) { return std::floor(value / step) * step; }
-double ceil_to(double value, double step) { return std::ceil(value / step) * step; }
 
 // Exact curves, the recommended model and Schlick's, with the recommended model's worst angle.
 figure curves_figure(const report_entry& entry, const std::string& name) {
@@ -135,18 +122,19 @@ figure errors_figure(const report_entry& entry, const std::string& name) {
             {}};
 }
 
-strip make_strip(const std::string& label, const std::vector<rgb>& values, color_space space) {
-    strip s{label, {}};
+// A strip needs no more colours than it has pixels.
+std::vector<rgb> every_second(const std::vector<rgb>& values) {
+    std::vector<rgb> half;
     for (std::size_t a = 0; a < values.size(); a += 2)
-        s.pixels.push_back(encode_srgb8(to_srgb(values[a], space)));
-    return s;
+        half.push_back(values[a]);
+    return half;
 }
 
 figure strips_figure(const report_entry& entry, const std::string& name) {
     const comparison& r = entry.result;
-    strips all{theta_axis, {make_strip("exact", r.exact.value, r.exact.space)}};
+    strips all{theta_axis, {color_strip("exact", every_second(r.exact.value), r.exact.space)}};
     for (const model_fit& m : r.models)
-        all.rows.push_back(make_strip(m.name, m.curve, r.exact.space));
+        all.rows.push_back(color_strip(m.name, every_second(m.curve), r.exact.space));
     return {name + "-strips",
             entry.substance.name + ": colour against angle, models by rank",
             "The reflected colour of white light, in sRGB.",
@@ -156,30 +144,12 @@ figure strips_figure(const report_entry& entry, const std::string& name) {
 }
 
 figure surface_figure(const report_entry& entry, const std::string& name) {
-    std::vector<double> wavelengths, angles;
-    for (int nm = 380; nm <= 780; nm += 20)
-        wavelengths.push_back(nm);
-    for (int theta = 0; theta <= 90; theta += 3)
-        angles.push_back(theta);
-    const spectral_surface s =
-        exact_surface(entry.substance, entry.result.colour.ambient, wavelengths, angles);
-    height_field h{{"wavelength (nm)", 380, 780, 100},
-                   {"θ (degrees)", 0, 90, 30},
-                   {"reflectance", 0, 1, 0.25},
-                   wavelengths,
-                   angles,
-                   {}};
-    for (std::size_t w = 0; w < wavelengths.size(); ++w) {
-        std::vector<double>& column = h.z.emplace_back();
-        for (std::size_t a = 0; a < angles.size(); ++a)
-            column.push_back(s.R[a][w]);
-    }
     return {name + "-surface",
             entry.substance.name + ": reflectance over wavelength and angle",
             "Exact, unpolarised.",
             {},
             {},
-            h};
+            wavelength_surface(entry.substance, entry.result.colour.ambient)};
 }
 
 std::vector<figure> figures_of(const report_entry& entry) {
@@ -189,21 +159,6 @@ std::vector<figure> figures_of(const report_entry& entry) {
 }
 
 // ---- the page ---------------------------------------------------------------------------------------------
-
-constexpr const char* style = R"(
-:root { color-scheme: light dark; --text: #1b1f24; --soft: #59636e; --line: #d5dae0; --ground: #ffffff; --card: #f6f8fa; --mark: #0b6e4f; }
-@media (prefers-color-scheme: dark) { :root { --text: #e3e6ea; --soft: #9aa4af; --line: #363d46; --ground: #14171b; --card: #1d2127; --mark: #5fd3a5; } }
-body { margin: 0 auto; max-width: 62rem; padding: 2rem 1.25rem 4rem; background: var(--ground); color: var(--text); font: 16px/1.5 system-ui, "DejaVu Sans", sans-serif; }
-h1 { font-size: 1.9rem; line-height: 1.2; margin: 0 0 .4rem; } h2 { font-size: 1.4rem; margin: 3rem 0 .3rem; } p { margin: .5rem 0; }
-.soft, caption { color: var(--soft); font-size: .9rem; } a { color: inherit; }
-.verdict { font-size: 1.1rem; border-left: 4px solid var(--mark); padding-left: .8rem; }
-.scroll { overflow-x: auto; } table { border-collapse: collapse; font-size: .88rem; font-variant-numeric: tabular-nums; width: 100%; }
-th, td { text-align: right; padding: .28rem .6rem; border-bottom: 1px solid var(--line); white-space: nowrap; }
-th { color: var(--soft); font-weight: 600; } .left { text-align: left; } .wrap { white-space: normal; min-width: 22rem; text-align: left; }
-tr.chosen td { background: var(--card); font-weight: 600; } tr.chosen td:nth-child(2) { color: var(--mark); }
-.swatch { display: inline-block; width: 8.5rem; height: 1.5rem; border-radius: 3px; vertical-align: middle; }
-figure { margin: 1.2rem 0; } figcaption { color: var(--soft); font-size: .9rem; } svg.fresnel-figure { color: var(--text); width: 100%; height: auto; } svg image { image-rendering: pixelated; }
-)";
 
 // The exact colours from 0 to 90 degrees as a bar.
 std::string swatch(const comparison& r) {
@@ -284,24 +239,21 @@ std::string page(const std::vector<report_entry>& entries, const std::vector<std
                                entries[i].result.best_choice().name, markup_text(verdict(entries[i].result)));
         sections += section(entries[i], figures[i], dir);
     }
-    return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-           "content=\"width=device-width, initial-scale=1\">\n"
-           "<title>Which Fresnel may I use?</title>\n<style>" +
-           std::string(style) +
-           "</style></head><body>\n"
-           "<h1>Which Fresnel may I use, and what do I lose?</h1>\n"
-           "<p>Every approximation that suits a material, fitted to its exact reflectance and compared with "
-           "it over all angles. "
-           "The exact curve is integrated over the measured spectrum first and turned into a colour "
-           "after.</p>\n"
-           "<p class=\"soft\">Recommended is the cheapest model whose worst colour difference (CIEDE2000, "
-           "over all angles) is at most 1, "
-           "which is not seen; if there is none, at most 2; if none, the least. Rank goes by the largest "
-           "error of any channel. "
-           "Operations are counted for three channels.</p>\n"
-           "<div class=\"scroll\"><table><tr><th class=\"left\">material</th><th class=\"left\">0° to "
-           "90°</th><th class=\"left\">use</th><th class=\"left\">because</th></tr>\n" +
-           summary + "</table></div>\n" + sections + "</body></html>\n";
+    return html_page(
+        "Which Fresnel may I use?",
+        "<h1>Which Fresnel may I use, and what do I lose?</h1>\n"
+        "<p>Every approximation that suits a material, fitted to its exact reflectance and compared with "
+        "it over all angles. "
+        "The exact curve is integrated over the measured spectrum first and turned into a colour "
+        "after.</p>\n"
+        "<p class=\"soft\">Recommended is the cheapest model whose worst colour difference (CIEDE2000, "
+        "over all angles) is at most 1, "
+        "which is not seen; if there is none, at most 2; if none, the least. Rank goes by the largest "
+        "error of any channel. "
+        "Operations are counted for three channels.</p>\n"
+        "<div class=\"scroll\"><table><tr><th class=\"left\">material</th><th class=\"left\">0° to "
+        "90°</th><th class=\"left\">use</th><th class=\"left\">because</th></tr>\n" +
+            summary + "</table></div>\n" + sections);
 }
 
 } // namespace
@@ -311,14 +263,6 @@ nlohmann::json report_json(const std::vector<report_entry>& entries) {
     for (const report_entry& entry : entries)
         materials.push_back(to_json(entry.result));
     return {{"materials", materials}};
-}
-
-void require_writable_folder(const std::string& argument, const std::string& dir) {
-    std::error_code error;
-    std::filesystem::create_directories(dir, error);
-    if (error || !std::filesystem::is_directory(dir) || access(dir.c_str(), W_OK | X_OK) != 0)
-        throw bad_input(fmt::format("{} '{}': must be a folder that can be written into{}", argument, dir,
-                                    error ? " (" + error.message() + ")" : ""));
 }
 
 void write_report(const std::vector<report_entry>& entries, const std::string& dir) {

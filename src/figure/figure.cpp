@@ -95,9 +95,10 @@ nlohmann::json to_json(const figure& what) {
                    {"x_axis", axis_json(what.surface->x_axis)},
                    {"y_axis", axis_json(what.surface->y_axis)},
                    {"z_axis", axis_json(what.surface->z_axis)}};
-    return {{"id", what.id},      {"title", what.title}, {"caption", what.caption},
-            {"series", curves},   {"markers", markers},  {"notes", notes},
-            {"strips", rows},     {"surface", surface},  {"table", what.cells ? to_json(*what.cells) : nullptr}};
+    return {
+        {"id", what.id},    {"title", what.title}, {"caption", what.caption},
+        {"series", curves}, {"markers", markers},  {"notes", notes},
+        {"strips", rows},   {"surface", surface},  {"table", what.cells ? to_json(*what.cells) : nullptr}};
 }
 
 std::string to_csv(const figure& what) {

@@ -62,7 +62,8 @@ void check(const figure& f) {
     }
     if (f.cells)
         for (const auto& row : f.cells->rows)
-            require(row.size() == f.cells->columns.size(), f, "a table's rows must have a cell for each column");
+            require(row.size() == f.cells->columns.size(), f,
+                    "a table's rows must have a cell for each column");
     for (const strip& s : f.colors.rows)
         require(s.pixels.size() == f.colors.rows.front().pixels.size(), f, "strips must be equally long");
     if (!f.surface) return;
@@ -153,7 +154,8 @@ private:
 
     void axes(const axis& x, const axis& y) {
         command("set xrange [{}:{}]\nset yrange [{}:{}]", x.lo, x.hi, y.lo, y.hi);
-        command("set xlabel {} offset 0,0.3\nset ylabel {} offset 0.6,0", quoted(x.label), quoted(y.label));
+        command("set xlabel {} offset 0,0.3 norotate\nset ylabel {} offset 0.6,0 rotate by 90",
+                quoted(x.label), quoted(y.label));
         command("set xtics {} out nomirror\nset ytics {} out nomirror", ticks(x), ticks(y));
     }
 
@@ -225,7 +227,7 @@ private:
                                   -static_cast<double>(r));
         command("set xrange [{}:{}]\nset yrange [{}:0.5]", all.x.lo - step / 2, all.x.hi + step / 2,
                 0.5 - static_cast<double>(all.rows.size()));
-        command("set xlabel {} offset 0,0.3\nunset ylabel\nunset grid\nset border 0\nunset key",
+        command("set xlabel {} offset 0,0.3 norotate\nunset ylabel\nunset grid\nset border 0\nunset key",
                 quoted(all.x.label));
         command("set xtics {} out nomirror\nset ytics ({}) scale 0", ticks(all.x), labels);
         std::string plots;
@@ -307,10 +309,13 @@ private:
         const double middle = -y - row_height / 2;
         if (c.swatch)
             command("set object rectangle from {},{} to {},{} fs solid noborder fc rgb '#{:02x}{:02x}{:02x}'",
-                    x + 8, middle - 9, x + w, middle + 9, (*c.swatch)[0], (*c.swatch)[1], (*c.swatch)[2]);
+                    x + 12, middle - 9, x + w, middle + 9, (*c.swatch)[0], (*c.swatch)[1], (*c.swatch)[2]);
         else if (!c.text.empty())
-            command("set label {} at {},{} {} font ',13' {}", quoted(c.text), numeric ? x + w : x, middle,
-                    numeric ? "right" : "left", c.remarkable ? "tc rgb '#c0392b'" : "");
+            command("set label {} at {},{} {} font ',13' {}", quoted(c.text),
+                    numeric  ? x + w
+                    : x < 30 ? x
+                             : x + 12,
+                    middle, numeric ? "right" : "left", c.remarkable ? "tc rgb '#c0392b'" : "");
     }
 
     void build() {

@@ -64,8 +64,8 @@ nlohmann::json to_json(const source_figure& entry, const regenerated& made);
 void write_source_figures(const std::vector<const source_figure*>& wanted, const std::string& dir);
 
 /// What measurement says of a claim.
-enum class verdict { holds, holds_within, fails, opinion };
-std::string_view to_string(verdict v); ///< true, true_within, false, opinion
+enum class judgement { holds, holds_within, fails, opinion };
+std::string_view to_string(judgement of); ///< true, true_within, false, opinion
 
 /// A claim, measured.
 ///
@@ -73,7 +73,7 @@ std::string_view to_string(verdict v); ///< true, true_within, false, opinion
 /// domain     where the claim holds, or what it was measured over
 /// values     the numbers behind the words, by name
 struct finding {
-    verdict is;
+    judgement is;
     std::string measured, domain;
     std::vector<std::pair<std::string, double>> values = {};
 
