@@ -126,6 +126,48 @@ TEST(dielectric_average, is_0_without_a_boundary_and_rises_away_from_it) {
 
 TEST(dielectric_average, passes_nan_on) { EXPECT_TRUE(std::isnan(dielectric_average(std::nan("")))); }
 
+// ---- conductors -------------------------------------------------------------------------------------------
+
+/// The same integral with 40 times the points, split at the same cosine.
+double fine_average(double n, double k) {
+    const double E = n * n - 1 - k * k, split = E < 0 && E > -1 ? std::sqrt(-E) : 0;
+    double sum = 0;
+    for (const auto& [lo, hi] : {std::pair{0.0, split}, {split, 1.0}})
+        for (int i = 0; i < 400; ++i) {
+            const auto place = [&](double t) { // dense at both ends
+                const double y = t * t * t * (10 - t * (15 - 6 * t));
+                return lo + (hi - lo) * y * y * y * (10 - y * (15 - 6 * y));
+            };
+            sum += integral<double>([&](double c) { return conductor(1.0, n, k, c).reflectance(); },
+                                    place(i / 400.0), place((i + 1) / 400.0));
+        }
+    return sum;
+}
+
+TEST(conductor_average, is_the_quadrature_to_1e_7) {
+    random_numbers random(9);
+    double worst = 0;
+    for (int i = 0; i < 300; ++i) {
+        const double n = i % 2 == 0 ? random.log_uniform(0.3, 100) : random.log_uniform(0.02, 5),
+                     k = i % 2 == 0 ? random.log_uniform(1e-5, 100) : random.log_uniform(0.1, 100);
+        const double miss = std::abs(conductor_average(1.0, n, k) - fine_average(n, k));
+        worst = std::fmax(worst, miss);
+        EXPECT_LE(miss, 1e-7) << n << " " << k;
+    }
+    std::printf("conductor_average: %.1e\n", worst);
+}
+
+TEST(conductor_average, without_absorption_is_the_closed_form) {
+    for (const double eta : {0.1, 0.4, 0.75, 0.999, 1.001, 1.333, 2.417, 20.0})
+        EXPECT_NEAR(conductor_average(1.0, eta, 0.0), dielectric_average(eta), eta < 0.3 ? 1e-6 : 1e-7)
+            << eta;
+    EXPECT_EQ(conductor_average(1.3, 1.3, 0.0), 0);
+}
+
+TEST(conductor_average, depends_on_the_ratio_of_indices_alone) {
+    EXPECT_NEAR(conductor_average(1.333, 0.2, 3.4), conductor_average(1.0, 0.2 / 1.333, 3.4 / 1.333), 1e-14);
+}
+
 // ---- polynomial models ------------------------------------------------------------------------------------
 
 /// f0 and a second reflectance for which no model clamps.
@@ -193,6 +235,18 @@ TEST(polynomial_averages, of_the_f82_family_are_equal_where_the_models_are) {
     EXPECT_TRUE(same(f82_tint_average(f0, 1.0), schlick_average(f0), "tint 1"));
 }
 
+TEST(polynomial_averages, of_index_forms_are_the_quadrature_of_their_models) {
+    for (const double n : {0.2, 1.5, 3.0})
+        for (const double k : {1.0, 5.0}) {
+            EXPECT_TRUE(averages(schlick_nk_average(n, k),
+                                 average([=](double c) { return schlick_nk(n, k, c); }), n, k));
+            EXPECT_TRUE(averages(lazanyi_average(n, k, 0.3, 7.0),
+                                 average([=](double c) { return lazanyi(n, k, 0.3, 7.0, c); }), n, k));
+        }
+    EXPECT_TRUE(averages(bias_scale_power_average(0.1, 0.8, 4.0),
+                         average([](double c) { return bias_scale_power(0.1, 0.8, 4.0, c); }), 0.1));
+}
+
 TEST(averages, are_models_too_and_instantiate_with_strict) {
     const strict f0 = ratio<strict, 1, 25>(), high = ratio<strict, 9, 10>(), eta = ratio<strict, 3, 2>();
     EXPECT_TRUE(exactly(dielectric_average(eta).value(), dielectric_average(1.5), "eta 1.5"));
@@ -213,6 +267,14 @@ TEST(averages, are_models_too_and_instantiate_with_strict) {
         exactly(powers_4_12_average(f0, high).value(), powers_4_12_average(0.04, 0.9), "powers_4_12"));
     EXPECT_TRUE(
         exactly(powers_2_8_16_average(f0, high).value(), powers_2_8_16_average(0.04, 0.9), "powers_2_8_16"));
+    EXPECT_TRUE(exactly(conductor_average(strict(1), eta, strict(5)).value(),
+                        conductor_average(1.0, 1.5, 5.0), "metal"));
+    EXPECT_TRUE(
+        exactly(schlick_nk_average(eta, strict(5)).value(), schlick_nk_average(1.5, 5.0), "schlick_nk"));
+    EXPECT_TRUE(exactly(lazanyi_average(eta, strict(5), strict(3), strict(7)).value(),
+                        lazanyi_average(1.5, 5.0, 3.0, 7.0), "lazanyi"));
+    EXPECT_TRUE(exactly(bias_scale_power_average(f0, high, strict(5)).value(),
+                        bias_scale_power_average(0.04, 0.9, 5.0), "rim"));
     EXPECT_TRUE(exactly(constant_average(f0).value(), 0.04, "constant"));
     EXPECT_TRUE(exactly(one_minus_cos_average<strict>().value(), 1.0 / 3, "one_minus_cos"));
 }
