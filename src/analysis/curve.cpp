@@ -79,12 +79,17 @@ rgb_curve exact_curve(const material& substance, color_space space, double ambie
     return curve;
 }
 
+rgb colour_at(const material& substance, color_space space, double ambient, double cos_i) {
+    const recipe& how = default_recipe(space);
+    return integrate(how, index_spectrum(substance, how.wavelength_nm).reflectance(ambient, cos_i));
+}
+
 normal_colour colour_at_normal(const material& substance, color_space space, double ambient) {
     const recipe& how = default_recipe(space);
     const index_spectrum indices(substance, how.wavelength_nm);
     normal_colour result{substance.name, substance.page, space, ambient, {}, {}, {}, {}, {}, {}, how.text};
-    result.f0 = integrate(how, indices.reflectance(ambient, 1));
-    result.f82 = integrate(how, indices.reflectance(ambient, ratio<double, 1, 7>()));
+    result.f0 = colour_at(substance, space, ambient, 1);
+    result.f82 = colour_at(substance, space, ambient, ratio<double, 1, 7>());
     std::vector<double> average;
     for (const optical_index& index : indices.at)
         average.push_back(hemispherical_average(ambient, index));

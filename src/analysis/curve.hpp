@@ -36,6 +36,9 @@ struct rgb_curve {
 /// The exact curve: integrated over the spectrum first and turned into RGB after.
 rgb_curve exact_curve(const material& substance, color_space space, double ambient, double step_deg = 0.25);
 
+/// The colour of a material at one angle, unpolarised: integrated over the spectrum.
+rgb colour_at(const material& substance, color_space space, double ambient, double cos_i);
+
 /// What an artist types in: the colours of a surface at normal incidence and at cos_i = 1/7.
 struct normal_colour {
     std::string material, page;
