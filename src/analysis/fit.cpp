@@ -138,6 +138,13 @@ bool has_critical_angle(const channel& exact) {
 
 } // namespace
 
+channel channel_of(const rgb_curve& exact, const rgb& f0, const rgb& f82, double ambient, std::size_t i) {
+    channel result{exact.theta_deg, exact.cos_i, {}, f0[i], f82[i], ambient};
+    for (const rgb& value : exact.value)
+        result.R.push_back(value[i]);
+    return result;
+}
+
 std::vector<std::string_view> models_for(surface_class surface) {
     const auto suits = [surface](std::string_view name) {
         const auto is = [name](auto... names) { return ((name == names) || ...); };
