@@ -17,6 +17,7 @@ void add_materials(CLI::App& app);
 void add_f0(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_identify(CLI::App& app);
+void add_plot(CLI::App& app);
 
 /// A command with its one-line description and the examples that end its help.
 CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& description,
