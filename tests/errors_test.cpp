@@ -71,22 +71,6 @@ double over_box(std::string_view name) {
     return worst;
 }
 
-// One wavelength of a metal as a channel to be fitted.
-channel channel_of(optical_index index) {
-    channel one{{},
-                {},
-                {},
-                normal_reflectance(1.0, index.n, index.k),
-                conductor(1.0, index.n, index.k, ratio<double, 1, 7>()).reflectance(),
-                1};
-    for (int i = 0; i <= 360; ++i) {
-        one.theta_deg.push_back(0.25 * i);
-        one.cos_i.push_back(cosine_of_degrees(one.theta_deg.back()));
-        one.R.push_back(conductor(1.0, index.n, index.k, one.cos_i.back()).reflectance());
-    }
-    return one;
-}
-
 double over_metals(std::string_view name) {
     double worst = 0;
     for (const metal_sample& metal : metal_samples()) {

@@ -1,5 +1,6 @@
 #include "commands.hpp"
 #include "csv.hpp"
+#include "parameter_options.hpp"
 
 #include "analysis/curve.hpp"
 #include "analysis/model_table.hpp"
@@ -8,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <map>
 #include <optional>
 
 namespace fresnel::cli {
@@ -17,7 +17,7 @@ namespace {
 
 struct options {
     std::string model;
-    std::map<std::string, std::string> parameters;
+    parameter_texts parameters;
     std::optional<std::string> cos_i, theta;
     std::string material;
     double wavelength_nm = 550;
@@ -25,31 +25,6 @@ struct options {
     std::string type = "double";
     bool json = false;
 };
-
-// "A", "A,B,C" or "FROM:TO:COUNT".
-std::vector<double> parse_list(std::string_view argument, std::string_view text) {
-    std::vector<double> values;
-    const auto pieces = [&](char separator) {
-        std::vector<double> numbers;
-        for (std::size_t begin = 0; begin <= text.size();) {
-            const std::size_t end = std::min(text.find(separator, begin), text.size());
-            numbers.push_back(parse_number(argument, text.substr(begin, end - begin)));
-            begin = end + 1;
-        }
-        return numbers;
-    };
-    if (text.find(':') == std::string_view::npos) return pieces(',');
-    const std::vector<double> range = pieces(':');
-    if (range.size() != 3 || !(range[2] >= 2 && range[2] <= 1e7))
-        throw bad_input(
-            fmt::format("{} = '{}': must be FROM:TO:COUNT with COUNT in [2, 10000000]", argument, text));
-    const auto count = static_cast<std::size_t>(range[2]);
-    for (std::size_t i = 0; i < count; ++i) {
-        const double t = static_cast<double>(i) / static_cast<double>(count - 1);
-        values.push_back(range[0] * (1 - t) + range[1] * t);
-    }
-    return values;
-}
 
 // Angles in degrees and their cosines.
 struct angles {
@@ -153,25 +128,6 @@ void evaluate_command(const options& given) {
     evaluate_csv(given.model, given.csv, given.out, given.type);
 }
 
-void add_parameters(CLI::App& command, const std::shared_ptr<options>& given) {
-    std::vector<std::string> seen;
-    for (const model_row<double>& row : model_table<double>())
-        for (const parameter& p : row.parameters) {
-            const std::string name(p.name);
-            if (std::find(seen.begin(), seen.end(), name) != seen.end()) continue;
-            seen.push_back(name);
-            std::string dashed = name;
-            std::replace(dashed.begin(), dashed.end(), '_', '-');
-            const std::string flags = dashed == name ? "--" + name : "--" + dashed + ",--" + name;
-            command
-                .add_option_function<std::string>(
-                    flags, [given, name](const std::string& text) { given->parameters[name] = text; },
-                    fmt::format("in [{}, {}]", p.min, p.max))
-                ->type_name("X")
-                ->group("Parameters (see `fresnel models`)");
-        }
-}
-
 } // namespace
 
 void add_eval(CLI::App& app) {
@@ -203,7 +159,7 @@ void add_eval(CLI::App& app) {
     command->add_option("--type", given->type, "number type of --csv: float, double or 50 (digits)")
         ->check(CLI::IsMember({"float", "double", "50"}));
     command->add_flag("--json", given->json, "print JSON");
-    add_parameters(*command, given);
+    add_parameters(*command, given->parameters);
     command->callback([given] { evaluate_command(*given); });
 }
 

@@ -38,6 +38,8 @@ void build(CLI::App& app) {
         "  fresnel f0 copper                          F0, F82 and hex of copper, with how they were made\n"
         "  fresnel compare copper gold --out out      which approximation to use, as a report with figures\n"
         "  fresnel eval dielectric --n-t 1.5 --theta 56.31\n"
+        "  fresnel identify '#ffdea3'                 what has this F0\n"
+        "  fresnel plot copper schlick --out copper.svg\n"
         "  fresnel models schlick                     equation, parameters, error and source of one model\n"
         "`fresnel COMMAND --help` shows the options and examples of a command.");
     add_models(app);
@@ -49,6 +51,8 @@ void build(CLI::App& app) {
     add_figures(app);
     add_claims(app);
     add_convert(app);
+    add_identify(app);
+    add_plot(app);
 }
 
 // A misspelt command is told apart from a misspelt option, so that the nearest command can be named.

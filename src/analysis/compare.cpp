@@ -12,13 +12,6 @@ namespace fresnel {
 
 namespace {
 
-channel channel_of(const rgb_curve& exact, const normal_colour& colour, std::size_t i) {
-    channel result{exact.theta_deg, exact.cos_i, {}, colour.f0[i], colour.f82[i], colour.ambient};
-    for (const rgb& value : exact.value)
-        result.R.push_back(value[i]);
-    return result;
-}
-
 // The integral of f 2 c dc over [0, 1] from samples against theta: trapezoids in c^2.
 double cosine_integral(const std::vector<double>& cos_i, const std::vector<double>& f) {
     double sum = 0;
@@ -143,7 +136,7 @@ comparison compare(const material& substance, color_space space, double ambient)
                       0};
     std::array<channel, 3> channels;
     for (std::size_t i = 0; i < 3; ++i)
-        channels[i] = channel_of(result.exact, result.colour, i);
+        channels[i] = channel_of(result.exact, result.colour.f0, result.colour.f82, ambient, i);
     for (const std::string_view name : models_for(result.surface))
         result.models.push_back(fit_model(name, channels, result.exact));
     rank(result.models);

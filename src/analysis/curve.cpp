@@ -24,11 +24,12 @@ struct index_spectrum {
         for (const double nm : wavelength_nm)
             at.push_back(index_at(substance, nm));
     }
-    std::vector<double> reflectance(double ambient, double cos_i) const {
+    std::vector<double> reflectance(double ambient, double cos_i,
+                                    polarization which = polarization::mean) const {
         std::vector<double> R;
         R.reserve(at.size());
         for (const optical_index& index : at)
-            R.push_back(conductor(ambient, index.n, index.k, cos_i).reflectance());
+            R.push_back(reflectance_of(conductor(ambient, index.n, index.k, cos_i), which));
         return R;
     }
 };
@@ -42,43 +43,48 @@ double cosine_of_degrees(double theta_deg) {
 double degrees_of_cosine(double cos_i) { return std::acos(cos_i) * 180 / std::numbers::pi; }
 
 spectral_surface exact_surface(const material& substance, double ambient, std::vector<double> wavelength_nm,
-                               std::vector<double> theta_deg) {
+                               std::vector<double> theta_deg, polarization which) {
     const index_spectrum indices(substance, wavelength_nm);
     spectral_surface surface{std::move(wavelength_nm), std::move(theta_deg), {}, {}};
     for (const double theta : surface.theta_deg) {
         surface.cos_i.push_back(cosine_of_degrees(theta));
-        surface.R.push_back(indices.reflectance(ambient, surface.cos_i.back()));
+        surface.R.push_back(indices.reflectance(ambient, surface.cos_i.back(), which));
     }
     return surface;
 }
 
 std::vector<rgb> exact_colours(const material& substance, color_space space, double ambient,
-                               const std::vector<double>& cos_i) {
+                               const std::vector<double>& cos_i, polarization which) {
     const recipe& how = default_recipe(space);
     const index_spectrum indices(substance, how.wavelength_nm);
     std::vector<rgb> colours;
     for (const double c : cos_i)
-        colours.push_back(integrate(how, indices.reflectance(ambient, c)));
+        colours.push_back(integrate(how, indices.reflectance(ambient, c, which)));
     return colours;
 }
 
-rgb_curve exact_curve(const material& substance, color_space space, double ambient, double step_deg) {
+rgb_curve exact_curve(const material& substance, color_space space, double ambient, double step_deg,
+                      polarization which) {
     rgb_curve curve{space, {}, {}, {}};
     const int steps = static_cast<int>(std::lround(90 / step_deg));
     for (int i = 0; i <= steps; ++i) {
         curve.theta_deg.push_back(90.0 * i / steps);
         curve.cos_i.push_back(cosine_of_degrees(curve.theta_deg.back()));
     }
-    curve.value = exact_colours(substance, space, ambient, curve.cos_i);
+    curve.value = exact_colours(substance, space, ambient, curve.cos_i, which);
     return curve;
+}
+
+rgb colour_at(const material& substance, color_space space, double ambient, double cos_i) {
+    return exact_colours(substance, space, ambient, {cos_i}).front();
 }
 
 normal_colour colour_at_normal(const material& substance, color_space space, double ambient) {
     const recipe& how = default_recipe(space);
     const index_spectrum indices(substance, how.wavelength_nm);
     normal_colour result{substance.name, substance.page, space, ambient, {}, {}, {}, {}, {}, {}, how.text};
-    result.f0 = integrate(how, indices.reflectance(ambient, 1));
-    result.f82 = integrate(how, indices.reflectance(ambient, ratio<double, 1, 7>()));
+    result.f0 = colour_at(substance, space, ambient, 1);
+    result.f82 = colour_at(substance, space, ambient, ratio<double, 1, 7>());
     std::vector<double> average;
     for (const optical_index& index : indices.at)
         average.push_back(hemispherical_average(ambient, index.n, index.k));
@@ -87,10 +93,7 @@ normal_colour colour_at_normal(const material& substance, color_space space, dou
     const rgb_curve exact = exact_curve(substance, space, ambient, 1);
     for (std::size_t i = 0; i < 3; ++i) {
         result.f82_tint[i] = result.f82[i] / schlick(result.f0[i], ratio<double, 1, 7>());
-        channel one{exact.theta_deg, exact.cos_i, {}, result.f0[i], result.f82[i], ambient};
-        for (const rgb& value : exact.value)
-            one.R.push_back(value[i]);
-        const edge_tint tint = fit_gulbrandsen(one);
+        const edge_tint tint = fit_gulbrandsen(channel_of(exact, result.f0, result.f82, ambient, i));
         result.gulbrandsen_r[i] = tint.r, result.gulbrandsen_g[i] = tint.g;
     }
     return result;

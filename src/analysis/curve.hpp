@@ -3,6 +3,7 @@
 #include "materials/catalog.hpp"
 
 #include <fresnel/color.hpp>
+#include <fresnel/exact.hpp>
 #include <fresnel/material.hpp>
 
 #include <string>
@@ -14,6 +15,14 @@ namespace fresnel {
 double cosine_of_degrees(double theta_deg);
 double degrees_of_cosine(double cos_i);
 
+/// Which reflectance: that of unpolarised light, (R_s + R_p) / 2, or one of the two.
+enum class polarization { mean, s, p };
+
+/// That reflectance of a boundary.
+inline double reflectance_of(const boundary<double>& at, polarization which) {
+    return which == polarization::s ? at.R_s : which == polarization::p ? at.R_p : at.reflectance();
+}
+
 /// Reflectance of a material over wavelength and angle.
 struct spectral_surface {
     std::vector<double> wavelength_nm;
@@ -21,10 +30,9 @@ struct spectral_surface {
     std::vector<std::vector<double>> R; ///< R[angle][wavelength]
 };
 
-/// Exact unpolarised reflectance at those wavelengths and cosines; ambient is the index of the medium
-/// outside.
+/// Exact reflectance at those wavelengths and angles; ambient is the index of the medium outside.
 spectral_surface exact_surface(const material& substance, double ambient, std::vector<double> wavelength_nm,
-                               std::vector<double> theta_deg);
+                               std::vector<double> theta_deg, polarization which = polarization::mean);
 
 /// Reflectance against the angle of incidence, as colours of one space.
 struct rgb_curve {
@@ -34,11 +42,15 @@ struct rgb_curve {
 };
 
 /// The exact curve: integrated over the spectrum first and turned into RGB after.
-rgb_curve exact_curve(const material& substance, color_space space, double ambient, double step_deg = 0.25);
+rgb_curve exact_curve(const material& substance, color_space space, double ambient, double step_deg = 0.25,
+                      polarization which = polarization::mean);
+
+/// The colour of a material at one angle, unpolarised: integrated over the spectrum.
+rgb colour_at(const material& substance, color_space space, double ambient, double cos_i);
 
 /// Exact colours at those cosines.
 std::vector<rgb> exact_colours(const material& substance, color_space space, double ambient,
-                               const std::vector<double>& cos_i);
+                               const std::vector<double>& cos_i, polarization which = polarization::mean);
 
 /// What an artist types in: the colours of a surface at normal incidence and at cos_i = 1/7.
 struct normal_colour {

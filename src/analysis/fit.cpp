@@ -113,6 +113,24 @@ bool has_critical_angle(const channel& exact) {
 
 } // namespace
 
+channel channel_of(const rgb_curve& exact, const rgb& f0, const rgb& f82, double ambient, std::size_t i) {
+    channel result{exact.theta_deg, exact.cos_i, {}, f0[i], f82[i], ambient};
+    for (const rgb& value : exact.value)
+        result.R.push_back(value[i]);
+    return result;
+}
+
+channel channel_of(const optical_index& index) {
+    const auto exact = [&](double c) { return conductor(1.0, index.n, index.k, c).reflectance(); };
+    channel result{{}, {}, {}, exact(1), exact(ratio<double, 1, 7>()), 1};
+    for (int i = 0; i <= 360; ++i) {
+        result.theta_deg.push_back(0.25 * i);
+        result.cos_i.push_back(cosine_of_degrees(result.theta_deg.back()));
+        result.R.push_back(exact(result.cos_i.back()));
+    }
+    return result;
+}
+
 std::vector<std::string_view> models_for(surface_class surface) {
     const auto suits = [surface](std::string_view name) {
         const auto is = [name](auto... names) { return ((name == names) || ...); };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analysis/curve.hpp"
 #include "analysis/model_table.hpp"
 
 #include <string>
@@ -14,6 +15,12 @@ struct channel {
     double f0, f82;                       ///< exact reflectance at cos_i = 1 and 1/7
     double ambient;                       ///< index of the ambient medium
 };
+
+/// Channel i of a curve whose colours at cos_i = 1 and 1/7 are f0 and f82.
+channel channel_of(const rgb_curve& exact, const rgb& f0, const rgb& f82, double ambient, std::size_t i);
+
+/// A single wavelength as a channel, in air: the exact reflectance of n and k every quarter of a degree.
+channel channel_of(const optical_index& index);
 
 /// What a surface is, as far as the choice of models goes.
 enum class surface_class {

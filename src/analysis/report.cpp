@@ -14,20 +14,6 @@ namespace fresnel {
 
 namespace {
 
-// at least 3 : 1 against white and #14171b, and apart from each other under colour blindness
-constexpr std::array<const char*, 6> model_colors = {"#0072b2", "#d55e00", "#1f9d78",
-                                                     "#9b4df0", "#b58a5a", "#d966a8"};
-
-const axis theta_axis = {"angle of incidence θ (degrees)", 0, 90, 15};
-
-// A name that is safe in a file name and as an id: anything else becomes a dash.
-std::string slug(std::string name) {
-    name = std::filesystem::path(name).filename().string();
-    for (char& c : name)
-        if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '-';
-    return name;
-}
-
 // ---- figures ----------------------------------------------------------------------------------------------
 
 // Exact curves, the recommended model and Schlick's, with the recommended model's worst angle.
@@ -40,32 +26,24 @@ figure curves_figure(const report_entry& entry, const std::string& name) {
              {},
              {},
              {}};
-    panel p{
-        theta_axis,
-        {fmt::format("reflectance ({})", r.colour.recipe.substr(r.colour.recipe.rfind(", ") + 2)), 0, 1, 0},
-        {},
-        {}};
-    double lowest = 1, highest = 1;
+    panel p{theta_axis, {}, {}, {}};
     const auto add = [&](const std::vector<rgb>& values, const std::string& label, stroke style,
                          double width) {
-        constexpr std::array<const char*, 3> letters = {"R", "G", "B"};
         for (std::size_t c = 0; c < 3; ++c) {
             p.curves.push_back(channel_series(values, r.exact.theta_deg, c));
             series& s = p.curves.back();
             if (style == stroke::solid || c == 0)
-                s.label = style == stroke::solid ? fmt::format("{} {}", label, letters[c]) : label;
+                s.label = style == stroke::solid
+                              ? fmt::format("{} {}", label, channel_letters(r.exact.space)[c])
+                              : label;
             s.style = style, s.width = width;
-            for (const double y : s.y)
-                lowest = std::min(lowest, y), highest = std::max(highest, y);
         }
     };
     add(r.exact.value, "exact", stroke::solid, 2.2);
     if (const model_fit* schlick = r.find("schlick"); schlick != nullptr && schlick != &best)
         add(schlick->curve, "schlick", stroke::dotted, 1.6);
     add(best.curve, best.name, stroke::dashed, 1.8);
-    p.y.tick = lowest < 0.5 ? 0.2 : 0.1;
-    p.y.lo = std::max(0.0, floor_to(lowest - 0.06, p.y.tick)),
-    p.y.hi = highest > 1.001 ? ceil_to(highest, 0.05) : 1;
+    p.y = reflectance_axis(fmt::format("reflectance ({})", space_title(r.exact.space)), p.curves);
 
     const std::size_t c = best.error.worst_channel();
     const auto at = static_cast<std::size_t>(
@@ -91,8 +69,7 @@ figure errors_figure(const report_entry& entry, const std::string& name) {
             std::find(chosen.begin(), chosen.end(), &m) == chosen.end())
             chosen.push_back(&m);
 
-    panel p{theta_axis, {"model − exact, worst channel", 0, 0, 0}, {}, {}};
-    double lowest = -1e-6, highest = 1e-6;
+    panel p{theta_axis, {}, {}, {}};
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         const model_fit& m = *chosen[i];
         const std::size_t c = m.error.worst_channel();
@@ -104,7 +81,6 @@ figure errors_figure(const report_entry& entry, const std::string& name) {
                  i == 0 ? 2.4 : 1.8};
         for (std::size_t a = 0; a < m.curve.size(); ++a) {
             s.y.push_back(m.curve[a][c] - r.exact.value[a][c]);
-            lowest = std::min(lowest, s.y.back()), highest = std::max(highest, s.y.back());
             if (i < 2 && r.exact.theta_deg[a] == m.error.max_theta[c])
                 p.markers.push_back({r.exact.theta_deg[a], s.y.back(),
                                      fmt::format("{:.3f} at {:.0f}°", m.error.max[c], m.error.max_theta[c]),
@@ -112,8 +88,7 @@ figure errors_figure(const report_entry& entry, const std::string& name) {
         }
         p.curves.push_back(std::move(s));
     }
-    const double room = 0.15 * (highest - lowest);
-    p.y.lo = lowest - room, p.y.hi = highest + room;
+    p.y = error_axis("model − exact, worst channel", p.curves);
     return {name + "-errors",
             entry.substance.name + ": error of the models",
             "Solid: the recommended model.",
@@ -122,19 +97,11 @@ figure errors_figure(const report_entry& entry, const std::string& name) {
             {}};
 }
 
-// A strip needs no more colours than it has pixels.
-std::vector<rgb> every_second(const std::vector<rgb>& values) {
-    std::vector<rgb> half;
-    for (std::size_t a = 0; a < values.size(); a += 2)
-        half.push_back(values[a]);
-    return half;
-}
-
 figure strips_figure(const report_entry& entry, const std::string& name) {
     const comparison& r = entry.result;
-    strips all{theta_axis, {color_strip("exact", every_second(r.exact.value), r.exact.space)}};
+    strips all{theta_axis, {color_strip("exact", r.exact.value, r.exact.space)}};
     for (const model_fit& m : r.models)
-        all.rows.push_back(color_strip(m.name, every_second(m.curve), r.exact.space));
+        all.rows.push_back(color_strip(m.name, m.curve, r.exact.space));
     return {name + "-strips",
             entry.substance.name + ": colour against angle, models by rank",
             "The reflected colour of white light, in sRGB.",
@@ -149,7 +116,7 @@ figure surface_figure(const report_entry& entry, const std::string& name) {
             "Exact, unpolarised.",
             {},
             {},
-            wavelength_surface(entry.substance, entry.result.colour.ambient)};
+            spectral_height_field(entry.substance, entry.result.colour.ambient)};
 }
 
 std::vector<figure> figures_of(const report_entry& entry) {

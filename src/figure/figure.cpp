@@ -22,6 +22,56 @@ std::string csv_cell(const std::string& text) {
     return quoted + "\"";
 }
 
+const std::string& name_of(const series& s) { return s.name.empty() ? s.label : s.name; }
+
+std::string cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
+
+bool share_x(const std::vector<const series*>& all) {
+    return std::all_of(all.begin(), all.end(), [&](const series* s) { return s->x == all[0]->x; });
+}
+
+std::string table_csv(const std::string& x_label, const std::vector<const series*>& all) {
+    std::string text = csv_cell(x_label);
+    for (const series* s : all)
+        text += ',' + csv_cell(name_of(*s));
+    text += '\n';
+    for (std::size_t i = 0; i < all[0]->x.size(); ++i) {
+        text += fmt::format("{}", all[0]->x[i]);
+        for (const series* s : all)
+            text += ',' + cell(s->y[i]);
+        text += '\n';
+    }
+    return text;
+}
+
+std::string columns_csv(const std::vector<const series*>& all) {
+    std::string text;
+    std::size_t length = 0;
+    for (const series* s : all) {
+        text += fmt::format("{}{},{}", s == all[0] ? "" : ",", csv_cell("x of " + name_of(*s)),
+                            csv_cell(name_of(*s)));
+        length = std::max(length, s->x.size());
+    }
+    text += '\n';
+    for (std::size_t i = 0; i < length; ++i) {
+        for (const series* s : all) {
+            if (s != all[0]) text += ',';
+            text += i < s->x.size() ? fmt::format("{},{}", s->x[i], cell(s->y[i])) : ",";
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+std::string surface_csv(const height_field& f) {
+    std::string text = fmt::format("{},{},{}\n", csv_cell(f.x_axis.label), csv_cell(f.y_axis.label),
+                                   csv_cell(f.z_axis.label));
+    for (std::size_t i = 0; i < f.x.size(); ++i)
+        for (std::size_t j = 0; j < f.y.size(); ++j)
+            text += fmt::format("{},{},{}\n", f.x[i], f.y[j], cell(f.z[i][j]));
+    return text;
+}
+
 } // namespace
 
 std::string markup_text(std::string_view text) {
@@ -73,6 +123,7 @@ nlohmann::json to_json(const figure& what) {
         const panel& p = what.panels[i];
         for (const series& s : p.curves)
             curves.push_back({{"label", s.label},
+                              {"name", name_of(s)},
                               {"panel", i},
                               {"x", s.x},
                               {"y", s.y},
@@ -102,25 +153,13 @@ nlohmann::json to_json(const figure& what) {
 }
 
 std::string to_csv(const figure& what) {
+    if (what.surface) return surface_csv(*what.surface);
     std::vector<const series*> all;
-    std::string text;
-    std::size_t length = 0;
     for (const panel& p : what.panels)
-        for (const series& s : p.curves) {
-            text += fmt::format("{}{},{}", all.empty() ? "" : ",", csv_cell("x of " + s.label),
-                                csv_cell(s.label));
+        for (const series& s : p.curves)
             all.push_back(&s);
-            length = std::max(length, s.x.size());
-        }
-    text += '\n';
-    for (std::size_t i = 0; i < length; ++i) {
-        for (const series* s : all) {
-            if (s != all.front()) text += ',';
-            text += i < s->x.size() ? fmt::format("{},{}", s->x[i], s->y[i]) : ",";
-        }
-        text += '\n';
-    }
-    return text;
+    if (all.empty()) return "";
+    return share_x(all) ? table_csv(what.panels.front().x.label, all) : columns_csv(all);
 }
 
 } // namespace fresnel

@@ -23,6 +23,7 @@ struct series {
     std::string color = "#3b7dd8"; ///< #rrggbb
     stroke style = stroke::solid;
     double width = 2;
+    std::string name = ""; ///< what the data are called where there is no legend; empty: as the label
 };
 
 /// A point worth pointing at, with a thin line down to the axis.
@@ -125,8 +126,12 @@ std::string inline_svg(const figure& what, const std::string& dir);
 /// width, x_axis, y_axis}], markers, notes, strips, surface, table}. A NaN becomes null.
 nlohmann::json to_json(const figure& what);
 
-/// The series as columns: x and y of each, side by side; empty cells where a series is shorter.
+/// The series as columns. Series over the same x share one column of it, which comes first; otherwise x and y of
+/// each stand side by side, with empty cells where a series is shorter. A surface is rows of x, y and z.
 std::string to_csv(const figure& what);
+
+/// The content of the file that `write_figures` would write.
+std::string drawn(const figure& what, format kind);
 
 /// A plain picture of the rows, without axes, one pixel column per colour and `height` pixels per row.
 void write_strip_png(const std::string& path, const std::vector<strip>& rows, int height);

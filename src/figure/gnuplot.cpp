@@ -478,6 +478,12 @@ void write_figures(const std::vector<figure>& figures, const std::string& dir,
         }
 }
 
+std::string drawn(const figure& what, format kind) {
+    const scratch_folder scratch;
+    write_figures({what}, scratch.path.string(), {kind});
+    return read_file(scratch.path / (what.id + "." + std::string(ending(kind))));
+}
+
 std::string inline_svg(const figure& what, const std::string& dir) {
     std::string svg = read_file(std::filesystem::path(dir) / (what.id + ".svg"));
     const std::size_t begin = svg.find("<svg "), style = svg.find("<style>"), end = svg.find("</style>");

@@ -105,6 +105,12 @@ rgb to_srgb(const rgb& color, color_space space) {
                : convert(color, default_recipe(space), default_recipe(color_space::srgb));
 }
 
+rgb from_srgb(const rgb& linear, color_space space) {
+    return space == color_space::srgb
+               ? linear
+               : convert(linear, default_recipe(color_space::srgb), default_recipe(space));
+}
+
 screen_color to_screen(const rgb& color, color_space space) { return to_screen(to_srgb(color, space)); }
 
 } // namespace fresnel

@@ -19,6 +19,9 @@ double delta_e_2000(const rgb& p, const rgb& q, color_space space);
 /// The colour in linear sRGB, for screens; not limited to [0, 1].
 rgb to_srgb(const rgb& color, color_space space);
 
+/// A colour of linear sRGB in another space: the inverse of `to_srgb`.
+rgb from_srgb(const rgb& linear, color_space space);
+
 /// The colour as an 8-bit sRGB screen shows it, marked where it lies outside sRGB.
 screen_color to_screen(const rgb& color, color_space space);
 

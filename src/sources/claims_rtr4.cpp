@@ -22,7 +22,7 @@ namespace fresnel {
 namespace {
 
 rgb f0_of(std::string_view name, double ambient = 1) {
-    return exact_colours(*find_material(name), color_space::srgb, ambient, {1.0}).front();
+    return colour_at(*find_material(name), color_space::srgb, ambient, 1);
 }
 
 double luminance(const rgb& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
@@ -142,16 +142,7 @@ struct spread {
 spread over_metals(std::string_view model) {
     std::vector<double> errors;
     for (const metal_sample& m : metal_samples()) {
-        channel one{{},
-                    {},
-                    {},
-                    normal_reflectance(1.0, m.index.n, m.index.k),
-                    exact_conductor(m.index.n, m.index.k)(ratio<double, 1, 7>()),
-                    1};
-        for (int i = 0; i <= 90; ++i) {
-            one.theta_deg.push_back(i), one.cos_i.push_back(cosine_of_degrees(i));
-            one.R.push_back(exact_conductor(m.index.n, m.index.k)(one.cos_i.back()));
-        }
+        const channel one = channel_of(m.index);
         const std::vector<double> R = evaluate(model, fit(model, one), one.cos_i);
         double worst = 0;
         for (std::size_t i = 0; i < R.size(); ++i)

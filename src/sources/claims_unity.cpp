@@ -173,12 +173,7 @@ finding verbatim() {
 }
 
 finding control_costs_correctness() {
-    channel glass{{}, {}, {}, normal_reflectance(1.0, 1.5, 0.0), exact_dielectric(1.5)(ratio<double, 1, 7>()),
-                  1};
-    for (int i = 0; i <= 360; ++i) {
-        glass.theta_deg.push_back(0.25 * i), glass.cos_i.push_back(cosine_of_degrees(0.25 * i));
-        glass.R.push_back(exact_dielectric(1.5)(glass.cos_i.back()));
-    }
+    const channel glass = channel_of({1.5, 0});
     const parameters p = fit("bias_scale_power", glass);
     double fitted = 0, plain = 0;
     for (std::size_t i = 0; i < glass.R.size(); ++i) {

@@ -80,8 +80,7 @@ const metal_row lagarde_rows[] = {
 };
 
 rgb f0_of(const char* name, double ambient, gamut policy) {
-    return apply_gamut(exact_colours(*find_material(name), color_space::srgb, ambient, {1.0}).front(),
-                       policy);
+    return apply_gamut(colour_at(*find_material(name), color_space::srgb, ambient, 1), policy);
 }
 
 std::string text_of(const rgb& c) { return fmt::format("{:.3f} {:.3f} {:.3f}", c[0], c[1], c[2]); }
@@ -247,7 +246,7 @@ const dielectric_row table_9_1_rows[] = {
 };
 
 double luminance_of(const char* name, double ambient) {
-    return exact_colours(*find_material(name), color_space::xyz, ambient, {1.0}).front()[1];
+    return colour_at(*find_material(name), color_space::xyz, ambient, 1)[1];
 }
 
 std::string range_text(double lo, double hi) {

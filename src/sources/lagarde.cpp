@@ -174,16 +174,6 @@ regenerated metal_dip_figure() {
 
 // ---- Lazanyi ----------------------------------------------------------------------------------------------
 
-channel channel_of(double n, double k) {
-    channel one{{}, {}, {}, normal_reflectance(1.0, n, k), exact_conductor(n, k)(ratio<double, 1, 7>()), 1};
-    for (int i = 0; i <= 360; ++i) {
-        one.theta_deg.push_back(0.25 * i);
-        one.cos_i.push_back(cosine_of_degrees(one.theta_deg.back()));
-        one.R.push_back(exact_conductor(n, k)(one.cos_i.back()));
-    }
-    return one;
-}
-
 regenerated lazanyi_error_term() {
     const curve_function error = [](double c) {
         return schlick_nk(metal_n, metal_k, c) - exact_conductor(metal_n, metal_k)(c);
@@ -219,7 +209,7 @@ regenerated lazanyi_error_term() {
 
 regenerated lazanyi_result() {
     const double alpha = find_metal_dip(metal_n, metal_k).alpha;
-    const parameters least_squares = fit("lazanyi", channel_of(metal_n, metal_k));
+    const parameters least_squares = fit("lazanyi", channel_of({metal_n, metal_k}));
     const auto with = [](double a, double exponent) {
         return [=](double c) { return lazanyi(metal_n, metal_k, a, exponent, c); };
     };

@@ -1,10 +1,10 @@
 #include "sources/parts.hpp"
 
 #include "analysis/curve.hpp"
+#include "analysis/drawing.hpp"
 
 #include <fresnel/exact.hpp>
 
-#include <array>
 #include <cmath>
 
 namespace fresnel {
@@ -12,16 +12,14 @@ namespace fresnel {
 namespace draw {
 
 std::string ramp(std::size_t i, std::size_t n) {
-    // viridis (van der Walt and Smith 2015), without its ends, which vanish on dark and on light ground
-    constexpr std::array<const char*, 8> colors = {"#482475", "#414487", "#355f8d", "#2a788e",
-                                                   "#21918c", "#22a884", "#44bf70", "#8ac926"};
-    return colors[n < 2 ? 3 : i * (colors.size() - 1) / (n - 1)];
+    // without the ends, which vanish on dark and on light ground
+    return viridis(n < 2 ? 0.4 : mix(0.1, 0.85, static_cast<double>(i) / static_cast<double>(n - 1)));
 }
 
 axis horizontal(against what) {
     switch (what) {
     case against::theta:
-        return {"angle of incidence θ (degrees)", 0, 90, 15};
+        return theta_axis;
     case against::cosine:
         return {"cos θ", 0, 1, 0.2};
     case against::sine:

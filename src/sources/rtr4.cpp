@@ -66,15 +66,7 @@ void add_channels(panel& p, const std::vector<rgb>& values, const std::vector<do
     }
 }
 
-axis reflectance(const std::vector<rgb>& values) {
-    double lowest = 1, highest = 1;
-    for (const rgb& v : values)
-        for (const double x : v)
-            lowest = std::min(lowest, x), highest = std::max(highest, x);
-    const double tick = lowest < 0.5 ? 0.2 : lowest < 0.8 ? 0.1 : 0.02;
-    return axis_of("reflectance (linear sRGB)", std::max(0.0, floor_to(lowest - 0.02, tick)),
-                   highest > 1.001 ? ceil_to(highest, 0.02) : 1, tick);
-}
+axis reflectance(const panel& p) { return reflectance_axis("reflectance (linear sRGB)", p.curves); }
 
 std::string colour_text(const rgb& c) { return fmt::format("({:.3f}, {:.3f}, {:.3f})", c[0], c[1], c[2]); }
 
@@ -90,12 +82,14 @@ regenerated figure_9_20(const substance& what) {
              "Reflectance over wavelength and angle; as colours against the angle, and against its sine; "
              "the colours themselves.",
              {},
-             {horizontal(against::sine), {color_strip("color", by_sine, screen)}}};
-    f.surface = wavelength_surface(m, 1);
-    f.panels.push_back({horizontal(against::theta), reflectance(by_angle.value), {}, {}});
+             {horizontal(against::sine), {color_strip("color", by_sine, screen, 1)}}};
+    f.surface = spectral_height_field(m, 1);
+    f.panels.push_back({horizontal(against::theta), {}, {}, {}});
     add_channels(f.panels.back(), by_angle.value, by_angle.theta_deg, stroke::solid);
-    f.panels.push_back({horizontal(against::sine), reflectance(by_sine), {}, {}});
+    f.panels.back().y = reflectance(f.panels.back());
+    f.panels.push_back({horizontal(against::sine), {}, {}, {}});
     add_channels(f.panels.back(), by_sine, sines(cosines), stroke::solid);
+    f.panels.back().y = reflectance(f.panels.back());
 
     const auto at_75 = static_cast<std::size_t>(
         std::lower_bound(by_angle.theta_deg.begin(), by_angle.theta_deg.end(), 75.0) -
@@ -159,15 +153,16 @@ regenerated figure_9_22(const substance& what) {
     const std::vector<double> cosines = cosines_by_sine();
     const std::vector<rgb> exact = exact_colours(m, screen, 1, cosines);
     const std::vector<rgb> approximate = schlick_colours(exact.front(), cosines);
-    panel p{horizontal(against::sine), reflectance(exact), {}, {}};
+    panel p{horizontal(against::sine), {}, {}, {}};
     add_channels(p, exact, sines(cosines), stroke::solid);
     add_channels(p, approximate, sines(cosines), stroke::dotted);
+    p.y = reflectance(p);
     figure f{"",
              "",
              "Solid: exact. Dotted: Schlick. The strips show the two as colours.",
              {p},
              {horizontal(against::sine),
-              {color_strip("exact", exact, screen), color_strip("Schlick", approximate, screen)}}};
+              {color_strip("exact", exact, screen, 1), color_strip("Schlick", approximate, screen, 1)}}};
     const curve_error error = schlick_error(m, screen);
     const std::size_t worst = error.worst_channel();
     return {f,
@@ -241,12 +236,7 @@ regenerated f90_and_power() {
     const material& m = *find_material("chromium");
     const optical_index index = index_at(m, 550);
     const double f0 = normal_reflectance(1.0, index.n, index.k);
-    channel one{{}, {}, {}, f0, exact_conductor(index.n, index.k)(ratio<double, 1, 7>()), 1};
-    for (int i = 0; i <= 360; ++i) {
-        one.theta_deg.push_back(0.25 * i), one.cos_i.push_back(cosine_of_degrees(0.25 * i));
-        one.R.push_back(exact_conductor(index.n, index.k)(one.cos_i.back()));
-    }
-    const double best = fit("schlick_power", one)[2];
+    const double best = fit("schlick_power", channel_of(index))[2];
     const auto with = [=](double power) {
         return [=](double c) { return schlick_power(f0, 1.0, power, c); };
     };
@@ -274,7 +264,7 @@ regenerated f90_and_power() {
 
 regenerated metalness() {
     const metalness_law& law = find_metalness_law("unreal");
-    const rgb gold = exact_colours(*find_material("gold"), screen, 1, {1.0}).front();
+    const rgb gold = colour_at(*find_material("gold"), screen, 1, 1);
     const rgb metal = apply_gamut(gold, gamut::clamp), paint = {0.05, 0.1, 0.4};
     const auto at = [&](const rgb& base, double m) { return to_surface(law, {base, m, 0.5}); };
 

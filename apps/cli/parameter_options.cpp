@@ -1,0 +1,55 @@
+#include "parameter_options.hpp"
+
+#include "commands.hpp"
+
+#include "analysis/model_table.hpp"
+#include "error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace fresnel::cli {
+
+void add_parameters(CLI::App& command, parameter_texts& given) {
+    for (const model_row<double>& row : model_table<double>())
+        for (const parameter& p : row.parameters) {
+            const std::string name(p.name);
+            std::string dashed = name;
+            std::replace(dashed.begin(), dashed.end(), '_', '-');
+            if (command.get_option_no_throw("--" + dashed) != nullptr) continue; // of an earlier model
+            const std::string flags = dashed == name ? "--" + name : "--" + dashed + ",--" + name;
+            command
+                .add_option_function<std::string>(
+                    flags, [&given, name](const std::string& text) { given[name] = text; },
+                    fmt::format("in [{}, {}]", p.min, p.max))
+                ->type_name("X")
+                ->group("Parameters (see `fresnel models`)");
+        }
+}
+
+std::vector<double> parse_list(std::string_view argument, std::string_view text) {
+    std::vector<double> values;
+    const auto pieces = [&](char separator) {
+        std::vector<double> numbers;
+        for (std::size_t begin = 0; begin <= text.size();) {
+            const std::size_t end = std::min(text.find(separator, begin), text.size());
+            numbers.push_back(parse_number(argument, text.substr(begin, end - begin)));
+            begin = end + 1;
+        }
+        return numbers;
+    };
+    if (text.find(':') == std::string_view::npos) return pieces(',');
+    const std::vector<double> range = pieces(':');
+    if (range.size() != 3 || !(range[2] >= 2 && range[2] <= 1e7))
+        throw bad_input(
+            fmt::format("{} = '{}': must be FROM:TO:COUNT with COUNT in [2, 10000000]", argument, text));
+    const auto count = static_cast<std::size_t>(range[2]);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double t = static_cast<double>(i) / static_cast<double>(count - 1);
+        values.push_back(range[0] * (1 - t) + range[1] * t);
+    }
+    return values;
+}
+
+} // namespace fresnel::cli
