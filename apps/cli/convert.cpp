@@ -67,7 +67,6 @@ nlohmann::json from_index(double n, double k, double ambient) {
     const double f0 = normal_reflectance(ambient, n, k);
     const boundary_angles outer = angles_of(ambient, n, k);
     const bool clear = k == 0;
-    const double base = normal_reflectance(1.0, 1.5, 0.0);
     return {{"n", n},
             {"k", k},
             {"ambient", ambient},
@@ -77,10 +76,10 @@ nlohmann::json from_index(double n, double k, double ambient) {
             {"brewster", or_null(outer.brewster.has_value(), outer.brewster.value_or(0))},
             {"critical_inside",
              or_null(clear && n > ambient, degrees_of_cosine(critical_cosine(std::min(ambient / n, 1.0))))},
-            {"disney_specular", or_null(f0 <= 0.08, f0 / 0.08)},
-            {"frostbite_reflectance", or_null(f0 <= 0.16, std::sqrt(f0 / 0.16))},
+            {"disney_specular", or_null(disney_specular(f0) <= 1, disney_specular(f0))},
+            {"frostbite_reflectance", or_null(frostbite_reflectance(f0) <= 1, frostbite_reflectance(f0))},
             {"gltf_ior", or_null(clear && n >= 1, n)},
-            {"openpbr_specular_weight", f0 / base},
+            {"openpbr_specular_weight", openpbr_specular_weight(f0, 1.5)},
             {"residual", 0}};
 }
 

@@ -25,19 +25,20 @@ constexpr std::array<metalness_law, 6> laws = {{
     {"openpbr", "OpenPBR Surface 1.1", "specular_weight", 1, 1, true},
 }};
 
-surface_channel<double> channel_of(const metalness_law& law, double base, const metalness_values& v) {
-    if (law.name == "frostbite") return metalness_frostbite(base, v.metalness, v.specular);
-    if (law.name == "unity") return metalness_unity(base, v.metalness);
-    if (law.name == "gltf") return metalness_gltf(base, v.metalness, v.specular, 1.0, v.ior);
-    if (law.name == "openpbr") return metalness_openpbr(base, v.metalness, v.specular, v.ior);
-    return metalness_disney(base, v.metalness, v.specular);
+surface_color<double> color_of(const metalness_law& law, double base, const metalness_values& v) {
+    if (law.name == "unity") return unity_surface(base, v.metalness);
+    if (law.name == "openpbr") return openpbr_surface(base, v.metalness, v.ior, v.specular);
+    const double f0 = law.name == "frostbite" ? frostbite_f0(v.specular)
+                      : law.name == "gltf"    ? gltf_f0(v.ior, 1.0, v.specular)
+                                              : disney_f0(v.specular);
+    return metalness_surface(base, v.metalness, f0);
 }
 
 // For given metalness and specular every law is linear in the base color, f0 = A base + B and rho = D base, so that
 // the best base follows channel by channel, and two numbers remain to be searched.
 void choose_base(const metalness_law& law, const surface_colors& wanted, metalness_values& v) {
-    const surface_channel<double> at_0 = channel_of(law, 0, v), at_1 = channel_of(law, 1, v);
-    const double A = at_1.f0 - at_0.f0, B = at_0.f0, D = at_1.rho_ss;
+    const surface_color<double> at_0 = color_of(law, 0, v), at_1 = color_of(law, 1, v);
+    const double A = at_1.f0 - at_0.f0, B = at_0.f0, D = at_1.albedo;
     for (std::size_t i = 0; i < 3; ++i)
         v.base[i] = std::clamp(
             (A * (wanted.f0[i] - B) + D * wanted.albedo[i]) / std::max(A * A + D * D, 1e-300), 0.0, 1.0);
@@ -156,8 +157,8 @@ const metalness_law& find_metalness_law(std::string_view name) {
 surface_colors to_surface(const metalness_law& law, const metalness_values& values) {
     surface_colors result{};
     for (std::size_t i = 0; i < 3; ++i) {
-        const surface_channel<double> c = channel_of(law, values.base[i], values);
-        result.f0[i] = c.f0, result.albedo[i] = c.rho_ss;
+        const surface_color<double> c = color_of(law, values.base[i], values);
+        result.f0[i] = c.f0, result.albedo[i] = c.albedo;
     }
     return result;
 }
