@@ -38,8 +38,8 @@ finding complex_index_anywhere() {
             worst = std::max(worst, std::abs(by_amplitudes(1.0, {m.index.n, -m.index.k}, c) -
                                              exact_conductor(m.index.n, m.index.k)(c)));
     return {judgement::holds,
-            fmt::format("the dielectric amplitudes with n − ik give the conductor's reflectance to {:.0e}",
-                        worst),
+            fmt::format("the dielectric amplitudes with n − ik give the conductor's reflectance, {}",
+                        rounding(worst)),
             "every built-in metal, all angles",
             {{"difference", worst}}};
 }
@@ -50,10 +50,11 @@ finding sides_may_be_swapped() {
         for (double c = 0.02; c <= 1; c += 0.02)
             worst = std::max(worst, std::abs(dielectric(1.0, n, c).reflectance() -
                                              dielectric(n, 1.0, refracted_cosine(n, c)).reflectance()));
-    return {judgement::holds,
-            fmt::format("from either side at the angles of one ray the reflectances differ by {:.0e}", worst),
-            "n_t / n_i from 1.1 to 2.417; swapping without changing the angle is another matter",
-            {{"difference", worst}}};
+    return {
+        judgement::holds,
+        fmt::format("from either side at the angles of one ray the reflectances agree, {}", rounding(worst)),
+        "n_t / n_i from 1.1 to 2.417; swapping without changing the angle is another matter",
+        {{"difference", worst}}};
 }
 
 finding dielectric_is_k_0() {
@@ -64,7 +65,7 @@ finding dielectric_is_k_0() {
                                 return conductor(1.0, eta, 0.0, c).reflectance() - exact_dielectric(eta)(c);
                             }).size());
     return {judgement::holds,
-            fmt::format("the two differ by {:.0e}", worst),
+            fmt::format("the two agree, {}", rounding(worst)),
             "n_t / n_i from 0.6 to 3",
             {{"difference", worst}}};
 }
@@ -137,7 +138,7 @@ finding index_from_color() {
     for (double n = 1.01; n < 4; n += 0.01)
         worst = std::max(worst, std::abs(eta_from_f0(normal_reflectance(1.0, n, 0.0)) - n) / n);
     return {judgement::holds_within,
-            fmt::format("n comes back to {:.0e}; 1 / n has the same color", worst),
+            fmt::format("n comes back, {}; 1 / n has the same color", rounding(worst)),
             "transparent media, and the side must be known",
             {{"difference", worst}}};
 }
@@ -170,10 +171,10 @@ finding dip_is_perpendicular() {
     for (int i = 0; i <= 900; ++i)
         least_s = std::min(least_s, dielectric(1.0, 1.5, cosine_of_degrees(0.1 * i)).R_s);
     return {judgement::fails,
-            fmt::format("it is the parallel curve: at Brewster's angle R_p is {:.0e} and R_s {:.3f}; R_s "
+            fmt::format("it is the parallel curve: at Brewster's angle R_p is 0 ({}) and R_s {:.3f}; R_s "
                         "only rises, from "
                         "{:.3f}",
-                        glass.R_p, glass.R_s, least_s),
+                        rounding(glass.R_p), glass.R_s, least_s),
             "n = 1.5",
             {{"R_p", glass.R_p}, {"R_s", glass.R_s}, {"least_R_s", least_s}}};
 }
@@ -190,8 +191,8 @@ finding no_simple_pseudo_brewster() {
         judgement::fails,
         fmt::format(
             "a cubic with one root in [0, 1] gives it, in seven Newton steps to all digits; the slope of R_p "
-            "there is at most {:.0e} on the built-in metals",
-            worst),
+            "there is 0 on the built-in metals, {}",
+            rounding(worst)),
         "any n and k",
         {{"slope", worst}}};
 }

@@ -157,10 +157,10 @@ finding gulbrandsen_is_closer() {
     const spread g = over_metals("gulbrandsen"), s = over_metals("schlick");
     const int dear = count_operations("gulbrandsen").cost(), cheap = count_operations("schlick").cost();
     return {judgement::holds,
-            fmt::format("with g fitted it errs by {:.0e} at most on a single wavelength, Schlick by {:.3f} "
+            fmt::format("with g fitted it is exact on a single wavelength ({}), Schlick errs by {:.3f} "
                         "(median {:.3f}); {} "
                         "operations against {}",
-                        g.worst, s.worst, s.median, dear, cheap),
+                        rounding(g.worst), s.worst, s.median, dear, cheap),
             "built-in metals at 450, 550 and 650 nm, g fitted to each",
             {{"gulbrandsen", g.worst}, {"schlick", s.worst}, {"cost", dear}, {"schlick_cost", cheap}}};
 }
@@ -214,7 +214,7 @@ finding magnitude_of_complex() {
         worst = std::max(worst, std::abs(norm(r) - normal_reflectance(1.0, m.index.n, m.index.k)));
     }
     return {judgement::holds,
-            fmt::format("squared magnitude and real formula agree to {:.0e}", worst),
+            fmt::format("squared magnitude and real formula agree, {}", rounding(worst)),
             "built-in metals",
             {{"difference", worst}}};
 }
@@ -360,7 +360,7 @@ finding critical_from_f0() {
     for (double n = 1.05; n < 3; n += 0.05)
         worst = std::max(worst, std::abs(sin_critical(normal_reflectance(1.0, n, 0.0)) - 1 / n));
     return {judgement::holds,
-            fmt::format("n2/n1 and (1 − √F0)/(1 + √F0) differ by {:.0e}", worst),
+            fmt::format("n2/n1 and (1 − √F0)/(1 + √F0) agree, {}", rounding(worst)),
             "n from 1.05 to 3",
             {{"difference", worst}}};
 }
@@ -372,10 +372,10 @@ finding symmetric() {
             worst = std::max(
                 worst, std::abs(exact_dielectric(n)(c) - exact_dielectric(1 / n)(refracted_cosine(n, c))));
     return {judgement::holds,
-            fmt::format("along one ray both ways the reflectances differ by {:.0e}; F0 is the same, and "
+            fmt::format("along one ray both ways the reflectances agree, {}; F0 is the same, and "
                         "inside 1 is reached at "
                         "θ_c",
-                        worst),
+                        rounding(worst)),
             "transparent media",
             {{"difference", worst}}};
 }
@@ -430,10 +430,10 @@ finding index_not_available() {
                                 }).size());
     const int cost = count_operations("schlick_internal").cost();
     return {judgement::fails,
-            fmt::format("F0 alone gives the index: η = (1 − √F0)/(1 + √F0) inside, to {:.0e}; Schlick with "
+            fmt::format("F0 alone gives the index: η = (1 − √F0)/(1 + √F0) inside ({}); Schlick with "
                         "θ_t then costs {} "
                         "operations",
-                        worst, cost),
+                        rounding(worst), cost),
             "transparent media",
             {{"difference", worst}, {"cost", cost}}};
 }

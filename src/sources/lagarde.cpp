@@ -68,13 +68,14 @@ regenerated dielectric_forms() {
         f,
         "The equations for a dielectric in two arrangements: by Snell's law and by g² = η² + c² − 1, with "
         "an imaginary g meaning total internal reflection.",
-        fmt::format("In double they differ by at most {:.1e} from outside and {:.1e} from inside.",
-                    largest([](double c) {
-                        return dielectric_fast(1.0, 1.5, c).reflectance() - exact_dielectric(1.5)(c);
-                    }).size(),
-                    largest([](double c) {
-                        return dielectric_fast(1.5, 1.0, c).reflectance() - exact_dielectric(1 / 1.5)(c);
-                    }).size()),
+        fmt::format("In double they agree from outside ({}) and from inside ({}).",
+                    rounding(largest([](double c) {
+                                 return dielectric_fast(1.0, 1.5, c).reflectance() - exact_dielectric(1.5)(c);
+                             }).size()),
+                    rounding(largest([](double c) {
+                                 return dielectric_fast(1.5, 1.0, c).reflectance() -
+                                        exact_dielectric(1 / 1.5)(c);
+                             }).size())),
         "n = 1.5"};
 }
 

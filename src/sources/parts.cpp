@@ -5,6 +5,8 @@
 
 #include <fresnel/exact.hpp>
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace fresnel {
@@ -74,6 +76,12 @@ std::vector<series> arrow(double x0, double y0, double x1, double y1, const std:
 }
 
 } // namespace draw
+
+std::string rounding(double difference) {
+    for (const double limit : {1e-40, 1e-12, 1e-6})
+        if (difference < limit) return fmt::format("to less than {:g}", limit);
+    return fmt::format("to {:.1g}", difference);
+}
 
 curve_function exact_dielectric(double eta) {
     return [eta](double c) { return dielectric(1.0, eta, c).reflectance(); };

@@ -61,6 +61,10 @@ std::vector<series> arrow(double x0, double y0, double x1, double y1, const std:
 
 } // namespace draw
 
+/// "less than 1e-12" and the like: the size of a difference that is rounding, in steps coarse enough to be the same
+/// on every machine.
+std::string rounding(double difference);
+
 /// Exact unpolarised reflectance between media of relative index eta, and of one with k.
 curve_function exact_dielectric(double eta);
 curve_function exact_conductor(double n, double k);
