@@ -77,7 +77,7 @@ inline constexpr std::string_view gems = "eta in [1.3, 2.5], from outside, f0 ex
 inline constexpr std::string_view inside_gems = "1 / eta in [1.3, 2.5], from inside";
 inline constexpr std::string_view box = "n in [0.1, 4], k in [1, 8]";
 inline constexpr std::string_view metals =
-    "built-in metals but caesium and zinc-querry, at 450, 550 and 650 nm, parameters fitted";
+    "built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted";
 inline constexpr std::string_view away = "float64 rounding, 0.001 and more from a critical angle";
 inline constexpr std::string_view everywhere = "float64 rounding";
 

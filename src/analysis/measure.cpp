@@ -115,8 +115,7 @@ const std::vector<metal_sample>& metal_samples() {
     static const std::vector<metal_sample> all = [] {
         std::vector<metal_sample> samples;
         for (const material& m : builtin_materials()) {
-            const bool odd = m.name == "caesium" || m.name == "zinc-querry";
-            if (m.category != "metal" || m.kind != material_kind::spectral || odd) continue;
+            if (m.category != "metal" || m.kind != material_kind::spectral || m.name == "caesium") continue;
             for (const double nm : {450.0, 550.0, 650.0})
                 samples.push_back({m.name, nm, index_at(m, nm)});
         }

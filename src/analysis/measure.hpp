@@ -67,9 +67,8 @@ struct metal_sample {
     optical_index index;
 };
 
-/// Every built-in metal at 450, 550 and 650 nm, the set over which fitted models are judged, but for two: the
-/// plasma edge of caesium lies in the visible, and there nothing but the exact equations follows it; and the n, k
-/// of zinc-querry are implausible.
+/// Every built-in metal at 450, 550 and 650 nm, the set over which fitted models are judged, but for caesium:
+/// its plasma edge lies in the visible, and there nothing but the exact equations follows it.
 const std::vector<metal_sample>& metal_samples();
 
 } // namespace fresnel

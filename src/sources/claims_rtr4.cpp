@@ -27,12 +27,11 @@ rgb f0_of(std::string_view name, double ambient = 1) {
 
 double luminance(const rgb& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
 
-/// Built-in spectral materials of a class, without the two that are kept for other reasons.
+/// Built-in spectral materials of a class; air is no material to look at.
 std::vector<const material*> spectral(std::string_view category) {
     std::vector<const material*> found;
     for (const material& m : builtin_materials())
-        if (m.kind == material_kind::spectral && m.category == category && m.name != "zinc-querry" &&
-            m.name != "air")
+        if (m.kind == material_kind::spectral && m.category == category && m.name != "air")
             found.push_back(&m);
     return found;
 }

@@ -138,7 +138,7 @@ finding exact_not_feasible() {
                         "one) and the exact "
                         "conductor {}, against {} for Schlick: a few per pixel, not a few thousand",
                         fast, exact, metal, plain),
-            "operations counted by running the models, s and p and transmittances included",
+            "operations counted by running the models, s and p included",
             {{"dielectric_fast", fast}, {"conductor_fast", metal}, {"schlick", plain}}};
 }
 
