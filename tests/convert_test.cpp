@@ -85,12 +85,19 @@ TEST_F(convert, metalness_backwards_finds_what_forwards_took) {
     EXPECT_LT(back["residual"], 1e-12);
 }
 
+TEST_F(convert, metalness_of_a_metal_outside_srgb_has_a_residual) {
+    const auto gold = json("convert metalness --law gltf --f0 1.038 .730 .364 --albedo 0 --json");
+    EXPECT_NEAR(gold["residual"], 0.038, 1e-3);
+    EXPECT_NEAR(gold["metalness"], 1, 1e-6);
+}
+
 TEST_F(convert, metalness_refuses_bad_use) {
     expect_refused("convert metalness", {"--base", "--f0"});
     expect_refused("convert metalness --law disny --base .5", {"disny", "disney"});
     expect_refused("convert metalness --base .5 --metalness 2", {"--metalness", "2", "[0, 1]"});
     expect_refused("convert metalness --base 300 200 100", {"--base", "300", "HEX"});
     expect_refused("convert metalness --f0 .5", {"--f0", "--albedo"});
+    expect_refused("convert metalness --f0 1.3 --albedo 0", {"--f0", "1.3", "[0, 1.2]"});
     expect_refused("convert metalness --f0 .5 --albedo .5 --metalness 1", {"--metalness"});
     expect_refused("convert metalness --base .5 --f0 .5 --albedo .5", {"--base", "--f0"});
 }

@@ -25,8 +25,8 @@ double checked(const parameter& p, const std::string& text) {
     return value;
 }
 
-// Three linear numbers, one number for a gray, or a HEX of sRGB codes.
-rgb colour(std::string_view argument, const words& given) {
+// Three linear numbers, one number for a gray, or a HEX of sRGB codes. A measured F0 may lie a little outside sRGB.
+rgb colour(std::string_view argument, const words& given, double most = 1) {
     if (given.size() == 1)
         if (const auto codes = parse_hex(given[0])) return decode_srgb8(*codes);
     if (given.size() != 1 && given.size() != 3)
@@ -36,7 +36,7 @@ rgb colour(std::string_view argument, const words& given) {
     for (std::size_t i = 0; i < 3; ++i) {
         const std::string& text = given[given.size() == 3 ? i : 0];
         c[i] = parse_number(argument, text);
-        if (!(c[i] >= 0 && c[i] <= 1))
+        if (!(c[i] >= 0 && c[i] <= most))
             throw bad_input(fmt::format(
                 "{} = {}: must be in [0, 1], linear; 8-bit codes are written as a HEX like #ffe29b", argument,
                 text));
@@ -191,7 +191,7 @@ void run_metalness(const metalness_options& given) {
         throw bad_input("--metalness, --specular: are what --f0 and --albedo find; leave them out");
     const double ior = checked({"--ior", "1", 1, 100, 1.5}, given.ior);
     surface_colors wanted{};
-    if (back) wanted = {colour("--f0", given.f0), colour("--albedo", given.albedo)};
+    if (back) wanted = {colour("--f0", given.f0, 1.2), colour("--albedo", given.albedo)};
 
     std::vector<nlohmann::json> results;
     for (const metalness_law& law : metalness_laws())

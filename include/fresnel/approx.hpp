@@ -153,7 +153,7 @@ struct three_terms {
 /// p, q and r of `powers_3_6_9`.
 template <class T>
 three_terms<T> powers_3_6_9_terms(T f0) {
-    const T s = let("s", sqrt(f0));
+    const T s = let("s", sqrt(f0 + tiny<T>()));
     const T p =
         let("p", ratio<T, 290623, 100000>() * s - ratio<T, 2379, 100000>() - ratio<T, 478491, 100000>() * f0);
     const T q =
@@ -240,11 +240,11 @@ T gulbrandsen_limit() {
 /// The index n + i k, relative to the ambient medium, of `gulbrandsen`.
 template <class T>
 complex<T> gulbrandsen_index(T r, T g) {
-    const T f0 = let("f0", min(r, gulbrandsen_limit<T>()));
+    const T f0 = let("f0", min(r, gulbrandsen_limit<T>()) + tiny<T>());
     const T n_max = let("n_max", eta_from_f0(f0));
     const T n_min = let("n_min", (1 - f0) / (1 + f0));
     const T n = let("n", mix(n_max, n_min, g));
-    const T k = let("k", sqrt(max((n_max - n) * (n - sin_critical(f0)), T(0))));
+    const T k = let("k", sqrt(max((n_max - n) * (n - sin_critical(f0)), T(0)) + tiny<T>()));
     return {n, k};
 }
 

@@ -57,18 +57,28 @@ boundary<T> dielectric(T n_i, T n_t, T cos_i) {
     const T g = let("g", select(g2 <= 0, T(0), sqrt(select(g2 <= 0, T(1), g2))));
     const T w = let("w", 4 * (c * g));
 
+    const T a2 = let("a2", square(g + c)); // 0 only at grazing incidence without a denser medium behind
+    const T D_s = let("D_s", select(a2 <= 0, T(1), a2));
+    const T b2 = let("b2", square(c * g + s2)); // 0 only where g rounds to 0, at normal incidence
+    const T D_p = let("D_p", select(b2 <= 0, T(1), b2));
+
+    // what rounding takes past 1 is had from its complement, which is small and keeps the slope
+    const T R_0 = let("R_0", square(E / D_s));
+    const T T_0 = let("T_0", w / D_s);
+    const T R_s = let("R_s", select(R_0 > 1, 1 - T_0, R_0));
+    const T T_s = let("T_s", select(T_0 > 1, 1 - R_0, T_0));
+    const T Q = let("Q", square((c * c * (E + 1) - s2) / D_p));
+    const T P = let("P", w * s2 / D_p); // 1 - Q
+    const T R_p = R_s * select(Q > 1, 1 - P, Q);
+    const T T_p = min(T_s + R_s * P, T(1));
+
     // nothing passes at grazing incidence or beyond the critical angle, unless there is no boundary at all
     const T barred = let("barred", select(abs(E) > 0, T(1), T(0)));
     const auto closed = min(w, abs(E)) <= 0;
-    const T a2 = let("a2", select(closed, T(1), square(g + c)));
-    const T b2 = let("b2", select(closed, T(1), square(c * g + s2)));
-
-    const T R_s = min(square(E / a2), T(1));
-    const T R_p = R_s * min(square((c * c * (E + 1) - s2) / b2), T(1));
-    const T T_s = min(w / a2, T(1));
-    const T T_p = min(T_s + R_s * (w * s2 / b2), T(1));
-    return {select(closed, barred, R_s), select(closed, barred, R_p), select(closed, 1 - barred, T_s),
-            select(closed, 1 - barred, T_p)};
+    const T C_s = let("C_s", barred * (1 - T_s));
+    const T C_p = let("C_p", barred * (1 - T_p));
+    return {select(closed, C_s, R_s), select(closed, C_p, R_p), select(closed, 1 - C_s, T_s),
+            select(closed, 1 - C_p, T_p)};
 }
 
 /// The same equations in the fewest operations, the arrangement of Cook and Torrance.
@@ -185,7 +195,8 @@ boundary<T> conductor_fast(T n_i, T n_t, T k_t, T cos_i) {
     const T t0 = let("t0", ((n_t - n_i) * (n_t + n_i) - k_t * k_t) / n_i2 + c2);
     const T nk2 = let("nk2", 2 * (n_t * k_t / n_i2));
     const T A = let("A", sqrt(t0 * t0 + nk2 * nk2)); // a^2 + b^2
-    const T a = let("a", sqrt(max((A + t0) / 2, T(0))));
+    const T a2 = let("a2", (A + t0) / 2);
+    const T a = let("a", select(a2 <= 0, T(0), sqrt(select(a2 <= 0, T(1), a2))));
 
     const T t1 = let("t1", A + c2);
     const T t2 = let("t2", min(2 * (a * c), t1));

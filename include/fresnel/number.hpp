@@ -92,6 +92,12 @@ constexpr T mix(T a, T b, T t) {
     return a + (b - a) * t;
 }
 
+/// 2^-80, which changes no number it is added to above 10^-8, and gives 0 a root with a finite derivative.
+template <class T>
+T tiny() {
+    return square(square(ratio<T, 1, 1 << 20>()));
+}
+
 /// x^5 in three multiplications.
 template <class T>
 constexpr T pow5(T x) {

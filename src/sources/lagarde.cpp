@@ -52,12 +52,11 @@ regenerated conductor_approximation() {
 regenerated dielectric_forms() {
     panel p{horizontal(against::theta), reflectance(), {}, {}};
     panel differences{horizontal(against::theta), axis_of("difference / 1e-16", -6, 6, 2), {}, {}};
-    for (const auto& [eta, color] : {std::pair{1.5, blue}, {1 / 1.5, green}}) {
+    for (const auto& [index, color] : {std::pair{1.5, blue}, {1 / 1.5, green}}) {
+        const double eta = index;
         const std::string label = eta > 1 ? "air to glass" : "glass to air";
         const curve_function robust = exact_dielectric(eta);
-        const curve_function fast = [eta = eta](double c) {
-            return dielectric_fast(1.0, eta, c).reflectance();
-        };
+        const curve_function fast = [eta](double c) { return dielectric_fast(1.0, eta, c).reflectance(); };
         p.curves.push_back(curve(label, robust, color));
         p.curves.push_back(curve(label + ", g and c", fast, color, stroke::dashed, 3));
         differences.curves.push_back(

@@ -1,0 +1,154 @@
+// Every model of the registry, differentiated by itself, against central differences at 60 digits.
+
+#include "inputs.hpp"
+#include "tolerances.hpp"
+
+#include "analysis/multi.hpp"
+
+#include <fresnel/geometry.hpp>
+#include <fresnel/models.hpp>
+#include <fresnel/types/dual.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace fresnel::test {
+namespace {
+
+template <class X>
+auto reflectance(const X& result) {
+    if constexpr (requires { result.R_s; })
+        return result.reflectance();
+    else
+        return result;
+}
+
+/// A value in a parameter's range, away from the kinks that clamps make where a reflectance is 1 everywhere.
+double draw(const parameter& p, random_numbers& random) {
+    const std::string_view name = p.name;
+    if (name == "n_i") return random.one_in(2) ? 1 : random.log_uniform(0.7, 2);
+    if (name == "n_t" || name == "n") return random.log_uniform(0.1, 5);
+    if (name == "k_t" || name == "k") return random.one_in(5) ? 0 : random.log_uniform(1e-3, 10);
+    if (name == "eta") return random.uniform(0.1, 1);
+    if (name == "power" || name == "alpha") return random.log_uniform(2, 30);
+    if (name == "a") return random.uniform(0, 5);
+    if (name == "g") return random.one_in(10) ? (random.one_in(2) ? 0.0 : 1.0) : random.uniform(0, 1);
+    return random.uniform(0.001, 0.99);
+}
+
+/// (f(x + h) - f(x - h)) / 2h at 60 digits; one-sided and of second order at the ends of the range.
+template <class F>
+double difference(F f, const real50& x, double lo, double hi) {
+    const real50 h("1e-18");
+    if (x <= lo) return static_cast<double>(real50((4 * f(x + h) - 3 * f(x) - f(x + 2 * h)) / (2 * h)));
+    if (x >= hi) return static_cast<double>(real50((3 * f(x) - 4 * f(x - h) + f(x - 2 * h)) / (2 * h)));
+    return static_cast<double>(real50((f(x + h) - f(x - h)) / (2 * h)));
+}
+
+/// The largest miss of any derivative of a model over random inputs, relative to 1 + |derivative|.
+template <std::size_t N, class F>
+void scan(const model<N, F>& row, double allowed) {
+    using number = dual<double, static_cast<int>(N) + 1>;
+    random_numbers random(2024);
+    for (int trial = 0; trial < 3000 / thinning; ++trial) {
+        std::array<double, N> p{};
+        for (std::size_t i = 0; i < N; ++i)
+            p[i] = draw(row.parameters[i], random);
+        const bool exact = row.kind == model_kind::exact;
+        if constexpr (N >= 2)
+            if (exact && random.one_in(7)) p[1] = p[0]; // an index match
+        bool grazing = exact && random.one_in(13);
+        if constexpr (N >= 2) grazing = grazing && p[0] != p[1]; // equal media have no slope there
+        const double c = grazing ? 0 : random.one_in(17) ? 1 : random.uniform(1e-3, 1);
+        if (row.name == "conductor_fast" && p[N - 1] == 0)
+            continue; // loses k at k = 0 beyond the critical angle
+
+        std::array<number, N> x;
+        for (std::size_t i = 0; i < N; ++i)
+            x[i] = number::variable(p[i], static_cast<int>(i));
+        const number R = reflectance(evaluate(row, x, number::variable(c, static_cast<int>(N))));
+        EXPECT_EQ(R.value, reflectance(evaluate(row, p, c))) << row.name << ": the value is the model's";
+        for (std::size_t v = 0; v <= N; ++v) {
+            const auto f = [&](const real50& at) {
+                std::array<real50, N> y;
+                for (std::size_t i = 0; i < N; ++i)
+                    y[i] = i == v ? at : real50(p[i]);
+                return real50(reflectance(evaluate(row, y, v == N ? at : real50(c))));
+            };
+            const double truth = v == N ? difference(f, c, 0, 1)
+                                        : difference(f, p[v], row.parameters[v].min, row.parameters[v].max);
+            std::string input = std::string(row.name) + " by " + std::to_string(v) + ", cos_i " + digits(c);
+            for (const double value : p)
+                input += ", " + digits(value);
+            ASSERT_TRUE(within(R.d[v], truth, allowed * (1 + std::abs(truth)), input));
+        }
+    }
+}
+
+TEST(dual, differentiates_every_model_as_60_digits_do) {
+    for_each_model([](const auto& row) { scan(row, 1e-9); });
+}
+
+TEST(dual, keeps_the_slope_at_grazing_incidence_and_at_an_index_match) {
+    using number = dual<double, 2>;
+    const auto slope = [](double eta, double c) {
+        return dielectric(number(1), number::variable(eta, 0), number::variable(c, 1)).reflectance();
+    };
+    // -2 (1 + eta^2) / sqrt(eta^2 - 1)
+    EXPECT_NEAR(slope(1.5, 0).d[1], -2 * 3.25 / std::sqrt(1.25), 1e-13);
+    EXPECT_NEAR(slope(4.0 / 3, 0).d[1], -2 * (1 + 16.0 / 9) / std::sqrt(7.0 / 9), 1e-12);
+    EXPECT_EQ(slope(1.0, 0.5).d[0], 0);
+    EXPECT_EQ(slope(1.0, 0.0).value, 0);
+    EXPECT_EQ(slope(0.5, 0.3).d[1], 0) << "total internal reflection";
+}
+
+TEST(dual, of_total_internal_reflection_is_0_on_its_side_and_finite_on_the_other) {
+    using number = dual<double, 1>;
+    const double critical = critical_cosine(1 / 1.5);
+    for (const double step : {1e-12, 1e-6, 1e-3}) {
+        const number inside =
+            dielectric(number(1), number::constant(1 / 1.5), number::variable(critical - step, 0)).R_s;
+        const number outside =
+            dielectric(number(1), number::constant(1 / 1.5), number::variable(critical + step, 0)).R_s;
+        EXPECT_EQ(inside.d[0], 0);
+        EXPECT_LT(outside.d[0], -1);
+        EXPECT_TRUE(std::isfinite(outside.d[0]));
+    }
+}
+
+TEST(dual, obeys_the_rules_of_differentiation) {
+    using number = dual<double, 2>;
+    const number x = number::variable(1.7, 0), y = number::variable(0.6, 1);
+    EXPECT_NEAR((x * y).d[0], 0.6, 1e-16);
+    EXPECT_NEAR((x / y).d[1], -1.7 / 0.36, 1e-14);
+    EXPECT_NEAR(sqrt(x).d[0], 0.5 / std::sqrt(1.7), 1e-15);
+    EXPECT_NEAR(exp2(x).d[0], std::exp2(1.7) * std::log(2.0), 1e-14);
+    EXPECT_NEAR(log2(x).d[0], 1 / (1.7 * std::log(2.0)), 1e-15);
+    EXPECT_NEAR(log(y).d[1], 1 / 0.6, 1e-15);
+    EXPECT_NEAR(pow(x, y).d[0], 0.6 * std::pow(1.7, -0.4), 1e-15);
+    EXPECT_NEAR(pow(x, y).d[1], std::pow(1.7, 0.6) * std::log(1.7), 1e-15);
+    EXPECT_EQ(max(x, y).d, x.d);
+    EXPECT_EQ(min(x, y).d, y.d);
+    EXPECT_EQ(abs(-x).d, x.d);
+    EXPECT_EQ(sqrt(number(0)).d[0], 0) << "the root of a constant";
+    EXPECT_EQ(pow(number(0), y).d[1], 0);
+}
+
+TEST(dual, works_in_float_and_in_60_digits) {
+    using narrow = dual<float, 1>;
+    using wide = dual<real50, 1>;
+    const float in_float =
+        conductor(narrow(1), narrow::constant(0.2f), narrow::constant(3.5f), narrow::variable(0.3f, 0))
+            .reflectance()
+            .d[0];
+    const real50 in_60 =
+        conductor(wide(1), wide::constant(0.2f), wide::constant(3.5f), wide::variable(real50(0.3f), 0))
+            .reflectance()
+            .d[0];
+    EXPECT_NEAR(static_cast<double>(in_float), static_cast<double>(in_60), 2e-6);
+}
+
+} // namespace
+} // namespace fresnel::test
