@@ -59,6 +59,7 @@ TEST_F(convert, of_indices_refuses_bad_use) {
     expect_refused("convert ior 1.5 --ambient -1", {"--ambient", "-1"});
     expect_refused("convert f0 1.5", {"F0", "1.5", "[0, 1]"});
     expect_refused("convert f0 255 226 155", {"F0", "255", "HEX"});
+    expect_refused("convert f0 255", {"F0", "255", "HEX"});
     expect_refused("convert f0 0.1 0.2", {"F0", "three"});
 }
 

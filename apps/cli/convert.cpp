@@ -27,7 +27,7 @@ double checked(const parameter& p, const std::string& text) {
 
 // Three linear numbers, one number for a gray, or a HEX of sRGB codes. A measured F0 may lie a little outside sRGB.
 rgb colour(std::string_view argument, const words& given, double most = 1) {
-    if (given.size() == 1)
+    if (given.size() == 1 && (given[0].starts_with('#') || given[0].size() == 6))
         if (const auto codes = parse_hex(given[0])) return decode_srgb8(*codes);
     if (given.size() != 1 && given.size() != 3)
         throw bad_input(fmt::format("{} '{}': must be one number, three, or a HEX like #ffe29b", argument,
@@ -38,8 +38,8 @@ rgb colour(std::string_view argument, const words& given, double most = 1) {
         c[i] = parse_number(argument, text);
         if (!(c[i] >= 0 && c[i] <= most))
             throw bad_input(fmt::format(
-                "{} = {}: must be in [0, 1], linear; 8-bit codes are written as a HEX like #ffe29b", argument,
-                text));
+                "{} = {}: must be in [0, {}], linear; 8-bit codes are written as a HEX like #ffe29b",
+                argument, text, most));
     }
     return c;
 }
