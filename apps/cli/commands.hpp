@@ -20,6 +20,7 @@ void add_angles(CLI::App& app);
 void add_figures(CLI::App& app);
 void add_claims(CLI::App& app);
 void add_convert(CLI::App& app);
+void add_prove(CLI::App& app);
 void add_identify(CLI::App& app);
 void add_plot(CLI::App& app);
 

@@ -51,6 +51,7 @@ void build(CLI::App& app) {
     add_figures(app);
     add_claims(app);
     add_convert(app);
+    add_prove(app);
     add_identify(app);
     add_plot(app);
 }

@@ -1,6 +1,7 @@
 #include "commands.hpp"
 
 #include "analysis/model_table.hpp"
+#include "analysis/prove.hpp"
 
 #include <fmt/format.h>
 
@@ -39,7 +40,8 @@ void print_one(const model_row<double>& row) {
     for (const parameter& p : row.parameters)
         fmt::print("  {:<7} in [{}, {}], default {}\n", p.name, p.min, p.max, p.default_value);
     fmt::print("  {:<7} in [0, 1]\n\n", "cos_i");
-    fmt::print("  error   {:.3g}, {} (measured)\n", row.error.max, row.error.over);
+    fmt::print("  error   {:.3g}, {} ({})\n", row.error.max, row.error.over,
+               can_prove(row.error.over) ? "certified by `fresnel prove`" : "measured");
     fmt::print("  domain  {}\n", row.domain);
     fmt::print("  cost    {} operations\n", count_operations(row.name).cost());
     fmt::print("  source  {}\n", row.citation);

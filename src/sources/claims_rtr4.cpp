@@ -492,11 +492,10 @@ finding picks_f0_well() {
             {{"lowest", lowest}, {"highest", highest}}};
 }
 
-} // namespace
+constexpr const char* book = "Real-Time Rendering, 4th ed. (2018)";
 
-std::vector<claim> rtr4_claims() {
-    const std::string d = "Real-Time Rendering, 4th ed. (2018)";
-    const std::string outer = "sec. 9.5.1", typical = "sec. 9.5.2", inner = "sec. 9.5.3";
+std::vector<claim> external_reflection() {
+    const std::string d = book, outer = "sec. 9.5.1";
     return {
         {"rtr4-air", d, outer, "The index of air is about 1.003.", "R4", "rtr4_air", air_is_1_003},
         {"rtr4-flat", d, outer, "The curves barely change until about 75°.", "R6", "rtr4_flat",
@@ -523,6 +522,12 @@ std::vector<claim> rtr4_claims() {
          "rtr4_magnitude", magnitude_of_complex},
         {"rtr4-spectrum", d, outer, "An accurate RGB F0 needs a dense spectrum first.", "R16 R23 R59",
          "rtr4_spectrum", spectrum_first},
+    };
+}
+
+std::vector<claim> typical_values() {
+    const std::string d = book, typical = "sec. 9.5.2";
+    return {
         {"rtr4-low", d, typical, "Dielectrics have an F0 of usually 0.06 or lower.", "R27", "rtr4_low",
          dielectric_f0_is_low},
         {"rtr4-colorless", d, typical, "The reflectance of dielectrics is colorless.", "R27 R32",
@@ -549,6 +554,12 @@ std::vector<claim> rtr4_claims() {
          "rtr4_tinted", tinted_is_not_expressible},
         {"rtr4-border", d, typical, "Artifacts can occur at borders of metal and dielectric.", "R45",
          "rtr4_border", borders_have_artifacts},
+    };
+}
+
+std::vector<claim> inside_reflection() {
+    const std::string d = book, inner = "sec. 9.5.3";
+    return {
         {"rtr4-symmetric", d, inner, "Reflectance is the same with the directions swapped, and so is F0.",
          "R50 R51", "rtr4_symmetric", symmetric},
         {"rtr4-higher", d, inner, "On average, internal reflectance is higher.", "R48 R53", "rtr4_higher",
@@ -564,6 +575,16 @@ std::vector<claim> rtr4_claims() {
         {"rtr4-index", d, inner, "θ_t requires the index, which may not be available.", "R58", "rtr4_index",
          index_not_available},
     };
+}
+
+} // namespace
+
+std::vector<claim> rtr4_claims() {
+    std::vector<claim> all;
+    for (const auto part : {external_reflection, typical_values, inside_reflection})
+        for (claim& one : part())
+            all.push_back(std::move(one));
+    return all;
 }
 
 } // namespace fresnel

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -105,7 +106,7 @@ struct source_item {
     std::string_view id, what, where;
 };
 
-const std::vector<source_item>& source_items();
+std::span<const source_item> source_items();
 
 /// The ledger of claims and the table of items as Markdown: docs/claims.md and docs/sources.md.
 std::string claims_markdown();

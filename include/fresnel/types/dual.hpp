@@ -69,8 +69,18 @@ struct dual {
             result.d[i] = select_component(mask, yes.d[i], no.d[i]);
         return result;
     }
-    friend dual min(const dual& x, const dual& y) { return select(y < x, y, x); }
-    friend dual max(const dual& x, const dual& y) { return select(x < y, y, x); }
+    friend dual min(const dual& x, const dual& y) { return -max(-x, -y); }
+    friend dual max(const dual& x, const dual& y) {
+        // of intervals that overlap, the slope is one of the two
+        if constexpr (requires { overlap(x.value, y.value); })
+            if (overlap(x.value, y.value)) {
+                dual result = constant(max(x.value, y.value));
+                for (std::size_t i = 0; i < N; ++i)
+                    result.d[i] = hull(x.d[i], y.d[i]);
+                return result;
+            }
+        return select(x < y, y, x);
+    }
     friend dual abs(const dual& x) { return select(x < dual(0), -x, x); }
 
     friend dual sqrt(const dual& x) {

@@ -1,0 +1,86 @@
+#include "commands.hpp"
+
+#include "analysis/prove.hpp"
+
+#include "analysis/model_table.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <unistd.h>
+
+namespace fresnel::cli {
+
+namespace {
+
+struct options {
+    std::vector<std::string> models;
+    bool json = false;
+};
+
+nlohmann::json pair(const certified& value) { return {value.lo, value.hi}; }
+
+nlohmann::json to_json(const certificate& c) {
+    nlohmann::json at = nlohmann::json::object();
+    for (const auto& [name, value] : c.at)
+        at[name] = value;
+    if (!c.material.empty()) at["material"] = c.material;
+    return {{"model", c.model},
+            {"domain", c.domain},
+            {"absolute", pair(c.absolute)},
+            {"relative", c.relative ? pair(*c.relative) : nlohmann::json()},
+            {"at", at},
+            {"rounding_float32", c.rounding_float32},
+            {"proved", c.proved}};
+}
+
+void print(const certificate& c) {
+    std::string at;
+    for (const auto& [name, value] : c.at)
+        at += fmt::format("{}{} = {:.4f}", at.empty() ? "" : ", ", name, value);
+    if (!c.material.empty()) at += ", " + c.material;
+    if (c.proved)
+        fmt::print("{:<20} [{:.6f}, {:.6f}]  {:<20} {:>8.1e}  {}\n", c.model, c.absolute.lo, c.absolute.hi,
+                   fmt::format("[{:.4f}, {:.4f}]", c.relative->lo, c.relative->hi), c.rounding_float32, at);
+    else
+        fmt::print("{:<20} {:<21} {:<20} {:>8.1e}  measured, not proved\n", c.model,
+                   fmt::format("{:.3g}", c.absolute.hi), "–", c.rounding_float32);
+}
+
+void run(const options& given) {
+    for (const std::string& name : given.models)
+        find_model<double>(name);
+    if (given.models.empty() && isatty(STDERR_FILENO) != 0)
+        fmt::print(stderr, "prove: every model, about half a minute\n");
+    std::vector<certificate> all;
+    if (given.models.empty()) all = prove_all();
+    for (const std::string& name : given.models)
+        all.push_back(prove(name));
+    if (!given.json)
+        fmt::print("{:<20} {:<21} {:<20} {:>8}  {}\n", "model", "absolute error in", "relative error in",
+                   "float32", "largest at");
+    nlohmann::json list = nlohmann::json::array();
+    for (const certificate& c : all)
+        if (given.json)
+            list.push_back(to_json(c));
+        else
+            print(c);
+    if (given.json) print_json(list);
+}
+
+} // namespace
+
+void add_prove(CLI::App& app) {
+    CLI::App* command =
+        add_command(app, "prove", "The largest error of a model, certified with intervals",
+                    "  fresnel prove schlick\n"
+                    "  fresnel prove f82 powers_4_12 --json\n"
+                    "  fresnel prove                              every model\n\n"
+                    "The largest error certainly lies in the interval; domains as in `fresnel models`.");
+    const auto given = std::make_shared<options>();
+    command->add_option("MODEL", given->models, "registry names; all if none is given");
+    command->add_flag("--json", given->json, "print JSON");
+    command->callback([given] { run(*given); });
+}
+
+} // namespace fresnel::cli

@@ -1,0 +1,107 @@
+#include "command.hpp"
+#include "tolerances.hpp"
+
+#include "analysis/fit.hpp"
+#include "analysis/measure.hpp"
+#include "analysis/model_table.hpp"
+#include "analysis/prove.hpp"
+
+#include <fresnel/approx.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace fresnel;
+
+// ---- one index --------------------------------------------------------------------------------------------
+
+class proofs_over_the_index : public testing::TestWithParam<const char*> {};
+
+TEST_P(proofs_over_the_index, hold_the_registrys_error_in_a_narrow_enclosure) {
+    const certificate c = prove(GetParam());
+    EXPECT_TRUE(c.proved);
+    EXPECT_LE(c.absolute.hi - c.absolute.lo, 1e-4);
+    // the registry prints three digits of a number that a grid finds
+    EXPECT_NEAR(find_model<double>(c.model).error.max, c.absolute.hi, 0.006 * c.absolute.hi);
+    EXPECT_LE(c.relative->lo, c.relative->hi);
+    ASSERT_EQ(c.at.size(), 2u);
+    EXPECT_GE(c.at[0].second, 1.3);
+    EXPECT_LE(c.at[0].second, 2.5);
+}
+
+TEST_P(proofs_over_the_index, are_of_errors_that_are_attained) {
+    const certificate c = prove(GetParam());
+    const double eta = c.at[0].second, cos_i = c.at[1].second;
+    std::vector<double> values;
+    for (const parameter& p : find_model<double>(c.model).parameters)
+        values.push_back(values.empty() ? normal_reflectance(1.0, eta, 0.0) : p.default_value);
+    const double model = find_model<double>(c.model).evaluate(values.data(), cos_i).reflectance();
+    EXPECT_NEAR(std::abs(model - dielectric(1.0, eta, cos_i).reflectance()), c.absolute.lo, 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(models, proofs_over_the_index,
+                         testing::Values("schlick", "schlick_f90", "spherical_gaussian", "photometric",
+                                         "powers_4_8", "powers_3_9", "powers_3_6_9", "one_minus_cos",
+                                         "constant"));
+
+TEST(prove, is_never_exceeded_on_a_dense_grid) {
+    const certificate c = prove("schlick");
+    for (int i = 0; i <= 120; ++i) {
+        const double eta = 1.3 + 0.01 * i;
+        EXPECT_LE(schlick_error(eta).size(), c.absolute.hi) << eta;
+        EXPECT_LE(schlick_relative_error(eta).size(), c.relative->hi) << eta;
+    }
+}
+
+// ---- fitted models ----------------------------------------------------------------------------------------
+
+TEST(prove, of_a_fitted_model_names_the_metal_and_is_its_error) {
+    const certificate c = prove("f82");
+    EXPECT_TRUE(c.proved);
+    EXPECT_LE(c.absolute.hi - c.absolute.lo, 1e-4);
+    EXPECT_NE(c.material.find(" nm"), std::string::npos);
+    double worst = 0;
+    for (const metal_sample& m : metal_samples()) {
+        const parameters p = fit("f82", channel_of(m.index));
+        worst = std::max(worst, largest([&](double x) {
+                                    return f82(p[0], p[1], x) -
+                                           conductor(1.0, m.index.n, m.index.k, x).reflectance();
+                                }).size());
+    }
+    EXPECT_NEAR(worst, c.absolute.lo, 1e-4);
+}
+
+// ---- the rest ---------------------------------------------------------------------------------------------
+
+TEST(prove, says_where_a_bound_is_measured_only) {
+    for (const char* name : {"dielectric", "conductor_precise", "air_conductor", "schlick_internal"}) {
+        const certificate c = prove(name);
+        EXPECT_FALSE(c.proved) << name;
+        EXPECT_EQ(c.absolute.hi, find_model<double>(name).error.max);
+    }
+}
+
+TEST(prove, measures_the_rounding_of_float32) {
+    EXPECT_LT(prove("schlick").rounding_float32, 3e-7);
+    EXPECT_GT(prove("schlick").rounding_float32, 1e-8);
+    EXPECT_LT(prove("conductor_precise").rounding_float32, 1e-6);
+}
+
+class prove_command : public test::command_test {};
+
+TEST_F(prove_command, prints_its_keys) {
+    const auto all = json("prove schlick dielectric --json");
+    ASSERT_EQ(all.size(), 2u);
+    for (const auto& one : all)
+        for (const char* key :
+             {"model", "domain", "absolute", "relative", "at", "rounding_float32", "proved"})
+            EXPECT_TRUE(one.contains(key)) << key;
+    EXPECT_EQ(all[0]["proved"], true);
+    EXPECT_TRUE(all[1]["relative"].is_null());
+    expect_refused("prove schlik", {"schlik", "schlick"});
+}
+
+} // namespace
