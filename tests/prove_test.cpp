@@ -76,8 +76,20 @@ TEST(prove, of_a_fitted_model_names_the_metal_and_is_its_error) {
 
 // ---- the rest ---------------------------------------------------------------------------------------------
 
+TEST(prove, of_schlick_inside_is_that_of_schlick_outside) {
+    const certificate inside = prove("schlick_internal"), outside = prove("schlick");
+    EXPECT_TRUE(inside.proved);
+    EXPECT_EQ(inside.absolute.hi, outside.absolute.hi);
+    const double eta = 1 / inside.at[0].second, cos_t = inside.at[1].second;
+    const double cos_i = std::sqrt(1 - eta * eta * (1 - cos_t * cos_t)); // Snell, from inside
+    const double error = schlick_internal(eta, cos_i) - dielectric(1.0, eta, cos_i).reflectance();
+    EXPECT_NEAR(std::abs(error), inside.absolute.lo, 1e-9);
+    for (int i = 0; i <= 120; ++i)
+        EXPECT_LE(schlick_internal_error(1 / (1.3 + 0.01 * i)).size(), inside.absolute.hi);
+}
+
 TEST(prove, says_where_a_bound_is_measured_only) {
-    for (const char* name : {"dielectric", "conductor_precise", "air_conductor", "schlick_internal"}) {
+    for (const char* name : {"dielectric", "conductor_precise", "air_conductor", "schlick_nk"}) {
         const certificate c = prove(name);
         EXPECT_FALSE(c.proved) << name;
         EXPECT_EQ(c.absolute.hi, find_model<double>(name).error.max);

@@ -180,6 +180,14 @@ T constant_of(double value) {
         return T::constant(interval(value));
 }
 
+/// Schlick from inside by the cosine outside. R(theta_i, eta) = R(theta_t, 1 / eta), f0 is the same from either side,
+/// and beyond the critical angle model and exact are both 1: the error is that of `schlick` at cos_t.
+certificate over_internal_gems() {
+    certificate result = prove("schlick");
+    result.at[0].first = "1/eta", result.at[1].first = "cos_t";
+    return result;
+}
+
 /// Every metal by itself, with the parameters fitted to it; only the worst is enclosed narrowly.
 template <class Row>
 certificate over_metals(const Row& row) {
@@ -248,6 +256,7 @@ template <class Row>
 certificate certify_row(const Row& row) {
     constexpr std::size_t N = std::tuple_size_v<decltype(row.parameters)>;
     certificate result{};
+    if (row.error.over == row::inside_gems) result = over_internal_gems();
     if constexpr (N <= 2)
         if (row.error.over == row::gems) result = over_gems(row);
     if constexpr (N >= 2)
@@ -261,7 +270,9 @@ certificate certify_row(const Row& row) {
 
 } // namespace
 
-bool can_prove(std::string_view over) { return over == row::gems || over == row::metals; }
+bool can_prove(std::string_view over) {
+    return over == row::gems || over == row::inside_gems || over == row::metals;
+}
 
 certificate prove(std::string_view model) {
     certificate result = certificate{};

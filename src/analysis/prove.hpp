@@ -27,10 +27,10 @@ struct certificate {
 /// Whether `prove` certifies errors taken over that domain of the registry, or repeats the measured one.
 bool can_prove(std::string_view over);
 
-/// Certifies a model by branch and bound over intervals: models of one f0 over the index, fitted models over every
-/// built-in metal, the angle always from 0 to 90 degrees. The enclosure of the absolute error is at most 1e-4 wide.
-/// The others keep the error that the registry's test measures: exact models, which have none but rounding, and those
-/// over a box of n and k or from inside.
+/// Certifies a model by branch and bound over intervals: models of one f0 over the index, Schlick's from inside by
+/// reciprocity, fitted models over every built-in metal, the angle always from 0 to 90 degrees. The enclosure of the
+/// absolute error is at most 1e-4 wide. The others keep the error that the registry's test measures: exact models,
+/// which have none but rounding, and those over a box of n and k.
 ///
 /// throws bad_input for an unknown model
 certificate prove(std::string_view model);

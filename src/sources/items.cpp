@@ -138,7 +138,7 @@ constexpr source_item items[] = {
     {"G23", "the total opacity", "figure highlights-opacity; claim highlights-opacity; test opacity_total"},
     {"G24", "opacity by attenuation", "figure highlights-opacity; test opacity_silhouette"},
     {"G25", "the attenuation from total and Fresnel opacity", "figure highlights-opacity; claim highlights-constants; test opacity_attenuation; command convert"},
-    {"G26", "what is multiplied by which opacity", "listing"},
+    {"G26", "what is multiplied by which opacity", "code shading.hpp; listing"},
     {"G27", "semitransparent surfaces", "picture"},
     {"G28", "highlights with and without Fresnel", "picture"},
     {"G29", "the complete shader", "listing"},
