@@ -25,7 +25,7 @@ rgb f0_of(std::string_view name, double ambient = 1) {
     return colour_at(*find_material(name), color_space::srgb, ambient, 1);
 }
 
-double luminance(const rgb& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
+double luminance(const rgb& c) { return (default_recipe(color_space::srgb).to_xyz * c)[1]; }
 
 /// Built-in spectral materials of a class; air is no material to look at.
 std::vector<const material*> spectral(std::string_view category) {
