@@ -134,7 +134,7 @@ FRESNEL_INLINE Floats blend(Mask mask, Floats a, Floats b) {
 template <class Floats>
 FRESNEL_INLINE Floats root(Floats a) {
 #if defined(FRESNEL_SQRT_INTRINSICS) && defined(__AVX512F__)
-    if constexpr (sizeof(Floats) == 64) return Floats(_mm512_sqrt_ps(__m512(a)));
+    if constexpr (sizeof(Floats) == 64) return Floats(_mm512_maskz_sqrt_ps(0xffff, __m512(a)));
 #endif
 #if defined(FRESNEL_SQRT_INTRINSICS) && defined(__AVX__)
     if constexpr (sizeof(Floats) == 32) return Floats(_mm256_sqrt_ps(__m256(a)));
