@@ -187,11 +187,13 @@ void check_argument(std::string_view what, const batch_argument& argument) {
 }
 
 void check_arguments(const model_place& model, std::size_t channels,
-                     std::span<const batch_argument> parameters, const batch_argument& cos_i) {
+                     std::span<const batch_argument> parameters, const batch_argument& cos_i,
+                     std::size_t count) {
     const std::size_t expected = channels * model.parameters;
     if (parameters.size() != expected)
         throw bad_input("model '" + std::string(model.name) + "' has " + std::to_string(expected) +
                         " parameters here, not " + std::to_string(parameters.size()));
+    if (count == 0) return; // no pointer is followed
     for (std::size_t k = 0; k < parameters.size(); ++k)
         check_argument("parameter " + std::to_string(k), parameters[k]);
     check_argument("cos_i", cos_i);
@@ -222,7 +224,7 @@ void evaluate_batch(std::string_view model, std::span<const batch_argument> para
                     std::size_t count, float* R, const batch_options& options) {
     const model_place place = find_place(model);
     const instruction_set& set = chosen(options);
-    check_arguments(place, 1, parameters, cos_i);
+    check_arguments(place, 1, parameters, cos_i, count);
     run(kernels_of(set, place).reflectance, set.lanes, parameters, cos_i, count, {&R, 1}, options.threads);
 }
 
@@ -231,7 +233,7 @@ void evaluate_batch_polarised(std::string_view model, std::span<const batch_argu
                               const batch_options& options) {
     const model_place place = find_place(model);
     const instruction_set& set = chosen(options);
-    check_arguments(place, 1, parameters, cos_i);
+    check_arguments(place, 1, parameters, cos_i, count);
     const model_kernels& kernels = kernels_of(set, place);
     if (!kernels.polarised)
         throw bad_input("model '" + std::string(model) + "' is not exact and has no R_s, R_p");
@@ -246,7 +248,7 @@ void evaluate_batch_rgb(std::string_view model, std::span<const batch_argument> 
                         const batch_options& options) {
     const model_place place = find_place(model);
     const instruction_set& set = chosen(options);
-    check_arguments(place, 3, parameters, cos_i);
+    check_arguments(place, 3, parameters, cos_i, count);
     run(kernels_of(set, place).rgb, set.lanes, parameters, cos_i, count, rgb, options.threads);
 }
 

@@ -13,7 +13,7 @@
 
 namespace fresnel {
 
-/// One argument of a model: `count` floats of any alignment, or one for all of them.
+/// One argument of a model: `count` floats, aligned as a float is, or one for all of them.
 struct batch_argument {
     const float* data;
     std::size_t stride; ///< 1: an array; 0: data[0] everywhere
@@ -34,7 +34,7 @@ struct batch_polarised {
     float *T_s = nullptr, *T_p = nullptr;
 };
 
-// The arrays' length is `count`, 0 allowed. An output may be the array of an argument itself, for a result in place,
+// The arrays' length is `count`; where that is 0, pointers may be null. An output may be the array of an argument itself, for a result in place,
 // but must not overlap one in any other way. All three throw bad_input where the model or the instruction set is
 // unknown, the parameters are not as many as the model's, a stride is neither 0 nor 1 or a pointer is null.
 

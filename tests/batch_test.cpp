@@ -1,0 +1,327 @@
+#include "inputs.hpp"
+#include "tolerances.hpp"
+
+#include "batch/batch.hpp"
+#include "error.hpp"
+
+#include <fresnel/models.hpp>
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace fresnel::test {
+namespace {
+
+using floats = std::vector<float>;
+
+/// A model's arguments at many points: the parameters, then cos_i.
+struct points {
+    std::string model;
+    std::vector<floats> columns;
+    std::size_t parameters() const { return columns.size() - 1; }
+    std::size_t size() const { return columns.back().size(); }
+};
+
+/// What makes a vector unit and a scalar one differ, if anything does.
+constexpr float special_values[] = {0,
+                                    1,
+                                    -0.0F,
+                                    std::numeric_limits<float>::denorm_min(),
+                                    0x1p-126F,
+                                    1e-20F,
+                                    std::numeric_limits<float>::max(),
+                                    std::numeric_limits<float>::infinity(),
+                                    -std::numeric_limits<float>::infinity(),
+                                    std::numeric_limits<float>::quiet_NaN()};
+
+float argument(const parameter& p, random_numbers& random) {
+    if (random.one_in(50)) return special_values[static_cast<std::size_t>(random.uniform(0, 10))];
+    if (random.one_in(20)) return static_cast<float>(random.one_in(2) ? p.min : p.max);
+    if (random.one_in(10)) return static_cast<float>(p.default_value);
+    const double low = p.min > 0 ? p.min : p.max * 1e-5;
+    return static_cast<float>(random.one_in(2) && p.min >= 0 ? random.log_uniform(low, p.max)
+                                                             : random.uniform(p.min, std::min(p.max, 5.0)));
+}
+
+constexpr parameter angle{"cos_i", "1", 0, 1, 1};
+
+template <class Row>
+points random_points(const Row& row, std::size_t count) {
+    random_numbers random(21);
+    points result{std::string(row.name), std::vector<floats>(row.parameters.size() + 1)};
+    for (std::size_t i = 0; i < count; ++i) {
+        std::size_t k = 0;
+        for (const parameter& p : row.parameters)
+            result.columns[k++].push_back(argument(p, random));
+        result.columns[k].push_back(argument(angle, random));
+        // an index match now and then
+        if (row.kind == model_kind::exact && random.one_in(20))
+            result.columns[1].back() = result.columns[0].back();
+    }
+    return result;
+}
+
+/// At least 100,000 points for every model, a million for the two that everybody uses.
+template <class Row>
+std::size_t enough(const Row& row) {
+    const bool popular = row.name == "dielectric" || row.name == "conductor";
+    return (popular ? 1000003u : 100003u) / thinning;
+}
+
+std::vector<batch_argument> arrays(const std::vector<floats>& columns, std::size_t from = 0) {
+    std::vector<batch_argument> result;
+    for (const floats& column : columns)
+        result.push_back(batch_argument::array(column.data() + from));
+    return result;
+}
+
+batch_options one_thread(std::string_view set) { return {.instruction_set = set, .threads = 1}; }
+
+/// R of a path at all points.
+floats reflectances(const points& at, const batch_options& options) {
+    floats R(at.size());
+    auto arguments = arrays(at.columns);
+    const batch_argument cos_i = arguments.back();
+    arguments.pop_back();
+    evaluate_batch(at.model, arguments, cos_i, at.size(), R.data(), options);
+    return R;
+}
+
+/// R_s, R_p, T_s and T_p of a path at all points, one after the other.
+floats polarised_parts(const points& at, const batch_options& options) {
+    floats parts(4 * at.size());
+    float* p = parts.data();
+    const std::size_t n = at.size();
+    auto arguments = arrays(at.columns);
+    const batch_argument cos_i = arguments.back();
+    arguments.pop_back();
+    evaluate_batch_polarised(at.model, arguments, cos_i, n, {p, p + n, p + 2 * n, p + 3 * n}, options);
+    return parts;
+}
+
+bool same_bits(float a, float b) {
+    return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b) ||
+           (std::isnan(a) && std::isnan(b));
+}
+
+/// All values equal bit for bit, any two NaN counting as equal; shows the first that differ.
+testing::AssertionResult identical(const points& at, const floats& actual, const floats& expected) {
+    if (actual.size() != expected.size()) return testing::AssertionFailure() << "different lengths";
+    for (std::size_t i = 0; i < actual.size(); ++i) {
+        if (same_bits(actual[i], expected[i])) continue;
+        auto failure = testing::AssertionFailure() << at.model << " at";
+        for (const floats& column : at.columns)
+            failure << ' ' << digits(column[i % at.size()]);
+        return failure << "\nexpected " << digits(expected[i]) << "\nactual   " << digits(actual[i]);
+    }
+    return testing::AssertionSuccess();
+}
+
+/// Calls test(row, its points, path) for every model and every path but the scalar one.
+template <class Test>
+void for_each_vector_path(Test test) {
+    for_each_model([&](const auto& row) {
+        const points at = random_points(row, enough(row));
+        for (const std::string_view set : instruction_sets()) {
+            SCOPED_TRACE(set);
+            if (set != "scalar") test(row, at, set);
+        }
+    });
+}
+
+TEST(batch, every_path_gives_the_bits_of_the_scalar_path) {
+    for_each_vector_path([](const auto&, const points& at, std::string_view set) {
+        EXPECT_TRUE(identical(at, reflectances(at, one_thread(set)), reflectances(at, one_thread("scalar"))));
+    });
+}
+
+TEST(batch, every_path_gives_the_polarised_bits_of_the_scalar_path) {
+    for_each_vector_path([](const auto& row, const points& at, std::string_view set) {
+        if (row.kind != model_kind::exact) return;
+        EXPECT_TRUE(
+            identical(at, polarised_parts(at, one_thread(set)), polarised_parts(at, one_thread("scalar"))));
+    });
+}
+
+bool has_power(std::string_view model) {
+    for (const std::string_view name :
+         {"schlick_power", "spherical_gaussian", "lazanyi", "hoffman", "bias_scale_power"})
+        if (name == model) return true;
+    return false;
+}
+
+TEST(batch, models_of_arithmetic_and_roots_give_the_bits_of_float) {
+    for_each_model([](const auto& row) {
+        if (has_power(row.name)) return;
+        const points at = random_points(row, enough(row));
+        floats expected;
+        for (std::size_t i = 0; i < at.size(); ++i) {
+            floats values;
+            for (std::size_t k = 0; k < at.parameters(); ++k)
+                values.push_back(at.columns[k][i]);
+            const auto result = evaluate(row, values, at.columns.back()[i]);
+            if constexpr (requires { result.R_s; })
+                expected.push_back(result.reflectance());
+            else
+                expected.push_back(result);
+        }
+        EXPECT_TRUE(identical(at, reflectances(at, one_thread("scalar")), expected));
+    });
+}
+
+TEST(batch, reflectance_is_the_mean_of_the_polarised_parts) {
+    for_each_model([](const auto& row) {
+        if (row.kind != model_kind::exact) return;
+        const points at = random_points(row, 1000);
+        const floats parts = polarised_parts(at, one_thread("scalar"));
+        floats mean;
+        for (std::size_t i = 0; i < at.size(); ++i)
+            mean.push_back((parts[i] + parts[at.size() + i]) / 2);
+        EXPECT_TRUE(identical(at, reflectances(at, one_thread("scalar")), mean));
+    });
+}
+
+constexpr float guard = 12345;
+
+/// R of `count` values from the place `from` on, between guards, from and to places that no vector is aligned to.
+floats guarded(const points& at, std::size_t from, std::size_t count, std::string_view set) {
+    floats R(count + 2, guard);
+    auto arguments = arrays(at.columns, from);
+    // exactly as long as they may be read, so that a sanitizer sees a read past the end
+    std::vector<floats> copies;
+    for (batch_argument& argument : arguments)
+        argument = batch_argument::array(copies.emplace_back(argument.data, argument.data + count).data());
+    const batch_argument cos_i = arguments.back();
+    arguments.pop_back();
+    evaluate_batch(at.model, arguments, cos_i, count, R.data() + 1, one_thread(set));
+    EXPECT_EQ(R.front(), guard);
+    EXPECT_EQ(R.back(), guard);
+    return {R.begin() + 1, R.end() - 1};
+}
+
+TEST(batch, any_length_and_place_gives_the_same_and_touches_nothing_else) {
+    for_each_vector_path([](const auto& row, const points& all, std::string_view set) {
+        if (row.name != "conductor" && row.name != "schlick" && row.name != "hoffman") return;
+        const floats expected = reflectances(all, one_thread("scalar"));
+        for (std::size_t count = 0; count <= 67; ++count) {
+            const std::size_t from = count % 5;
+            const floats R = guarded(all, from, count, set);
+            for (std::size_t i = 0; i < count; ++i)
+                ASSERT_TRUE(same_bits(R[i], expected[from + i])) << row.name << ' ' << count << ' ' << i;
+        }
+    });
+}
+
+TEST(batch, a_single_value_stands_for_an_array_of_it) {
+    for_each_vector_path([](const auto& row, const points& all, std::string_view set) {
+        points at = all;
+        std::vector<batch_argument> single;
+        for (std::size_t k = 0; k < at.columns.size(); ++k) {
+            at.columns[k].resize(101);
+            if (k < at.parameters()) at.columns[k].assign(101, at.columns[k][7]);
+        }
+        for (std::size_t k = 0; k < at.parameters(); ++k)
+            single.push_back(batch_argument::same(at.columns[k][0]));
+        floats R(101);
+        const batch_argument cos_i = batch_argument::array(at.columns.back().data());
+        evaluate_batch(row.name, single, cos_i, 101, R.data(), one_thread(set));
+        EXPECT_TRUE(identical(at, R, reflectances(at, one_thread(set))));
+    });
+}
+
+TEST(batch, rgb_is_three_models_at_one_angle) {
+    for_each_vector_path([](const auto& row, const points& all, std::string_view set) {
+        constexpr std::size_t n = 1003;
+        points channel[3];
+        std::vector<batch_argument> parameters;
+        for (std::size_t c = 0; c < 3; ++c) {
+            channel[c].model = all.model;
+            for (const floats& column : all.columns)
+                channel[c].columns.emplace_back(column.begin() + static_cast<std::ptrdiff_t>(c * n),
+                                                column.begin() + static_cast<std::ptrdiff_t>((c + 1) * n));
+            channel[c].columns.back() = channel[0].columns.back();
+            for (std::size_t k = 0; k < channel[c].parameters(); ++k)
+                parameters.push_back(batch_argument::array(channel[c].columns[k].data()));
+        }
+        floats R(n), G(n), B(n);
+        evaluate_batch_rgb(row.name, parameters, batch_argument::array(channel[0].columns.back().data()), n,
+                           {R.data(), G.data(), B.data()}, one_thread(set));
+        const floats* const results[] = {&R, &G, &B};
+        for (std::size_t c = 0; c < 3; ++c)
+            EXPECT_TRUE(identical(channel[c], *results[c], reflectances(channel[c], one_thread("scalar"))));
+    });
+}
+
+TEST(batch, threads_give_what_one_thread_gives) {
+    for_each_model([](const auto& row) {
+        if (row.name != "conductor") return;
+        const points at = random_points(row, 300007 / thinning);
+        const floats expected = reflectances(at, {.threads = 1});
+        for (const unsigned threads : {0u, 2u, 3u, 7u, 64u})
+            EXPECT_TRUE(identical(at, reflectances(at, {.threads = threads}), expected)) << threads;
+    });
+}
+
+TEST(batch, results_may_replace_an_argument) {
+    const float f0 = 0.04F;
+    floats c(1001, 0.25F);
+    evaluate_batch("schlick", {{batch_argument::same(f0)}}, batch_argument::array(c.data()), c.size(),
+                   c.data());
+    for (const float R : c)
+        ASSERT_EQ(R, schlick(0.04F, 0.25F));
+}
+
+/// The message of the bad_input that f throws; empty where it throws none.
+template <class F>
+std::string refusal(F f) {
+    try {
+        f();
+    } catch (const bad_input& e) {
+        return e.what();
+    }
+    return "";
+}
+
+TEST(batch, refuses_what_it_cannot_run_and_says_why) {
+    const float x = 0.5F;
+    float R[4] = {};
+    const batch_argument one = batch_argument::same(x);
+    const auto message = [&](std::string_view model, std::vector<batch_argument> parameters, float* to,
+                             std::string_view set = "") {
+        return refusal([&] { evaluate_batch(model, parameters, one, 1, to, one_thread(set)); });
+    };
+    EXPECT_EQ(message("schlick", {one}, R), "");
+    EXPECT_EQ(message("schlik", {one}, R), "model 'schlik' is unknown (did you mean 'schlick'?)");
+    EXPECT_EQ(message("schlick", {}, R), "model 'schlick' has 1 parameters here, not 0");
+    EXPECT_EQ(message("schlick", {{nullptr, 1}}, R), "parameter 0 is null");
+    EXPECT_EQ(message("schlick", {{&x, 2}}, R), "parameter 0 has stride 2: must be 0 or 1");
+    EXPECT_EQ(message("schlick", {one}, nullptr), "an output is null");
+    EXPECT_TRUE(
+        message("schlick", {one}, R, "mmx").starts_with("instruction set 'mmx' is not one of scalar"));
+    EXPECT_EQ(refusal([&] { evaluate_batch_polarised("schlick", {{one}}, one, 1, {R, R + 1}); }),
+              "model 'schlick' is not exact and has no R_s, R_p");
+    EXPECT_EQ(refusal([&] {
+                  evaluate_batch_polarised("dielectric", std::vector{one, one}, one, 1,
+                                           {R, R + 1, R + 2, nullptr});
+              }),
+              "an output is null");
+}
+
+TEST(batch, every_machine_has_the_scalar_path_and_its_widest_by_default) {
+    const auto sets = instruction_sets();
+    EXPECT_EQ(sets.front(), "scalar");
+    EXPECT_GT(sets.size(), 1u);
+    for (const std::string_view set : sets)
+        EXPECT_EQ(choose_instruction_set(set), set);
+    const char* forced = std::getenv("FRESNEL_ISA");
+    EXPECT_EQ(choose_instruction_set(""), forced ? std::string_view(forced) : sets.back());
+}
+
+} // namespace
+} // namespace fresnel::test
