@@ -3,9 +3,9 @@
 # objects share, of which the linker would keep any one.
 string(REPLACE "|" ";" objects "${OBJECTS}")
 
-set(root_sse2 "[ \t]sqrtps .*%xmm")
-set(root_avx2 "vsqrtps .*%ymm")
-set(root_avx512 "vsqrtps .*%zmm")
+set(root_sse2 "[ \t]sqrtps [^\n]*%xmm")
+set(root_avx2 "vsqrtps [^\n]*%ymm")
+set(root_avx512 "vsqrtps [^\n]*%zmm")
 
 foreach(object IN LISTS objects)
     string(REGEX MATCH "^([^=]+)=(.+)$" _ "${object}")
