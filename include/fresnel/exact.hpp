@@ -31,10 +31,17 @@ struct boundary {
     constexpr T transmittance() const { return (T_s + T_p) / 2; }
 };
 
+/// A denominator below this is taken for 0: 2^-120 in float32, 2^-480 in wider types.
+template <class T>
+T negligible() {
+    const T x = square(ratio<T, 1, 1 << 20>()); // 2^-40
+    return std::numeric_limits<T>::digits > 24 ? square(square(x * x * x)) : x * x * x;
+}
+
 /// Exact reflectance and transmittance between two transparent media.
 ///
-///   g^2 = eta^2 - 1 + c^2                 R_s = ((eta^2 - 1) / (g + c)^2)^2
-///   T_s = 4 c g / (g + c)^2               R_p = R_s ((c^2 eta^2 - s^2) / (c g + s^2)^2)^2
+///   g^2 = eta^2 - 1 + c^2                      R_s = E^2 / (E^2 + W), E = eta^2 - 1, W = 4 c g (g + c)^2
+///   R_p = R_s ((c g - s^2) / (c g + s^2))^2    T_s = W / (E^2 + W)
 ///   T_p = T_s + R_s 4 c g s^2 / (c g + s^2)^2
 ///
 /// n_i     index of the ambient medium            [0.01, 100]
@@ -44,41 +51,35 @@ struct boundary {
 ///         equal media at every angle, and exactly 1 at cos_i = 0 for any others
 /// error   relative 8 epsilon in R and 4 in T, times 1 + |eta^2 - 1| / g^2: in float32 2e-6 for eta > 1,
 ///         and up to 6e-2 at the critical angle of eta >= 0.1 (conductor_precise: 1e-6 there too)
-/// source  Fresnel 1823; the differences are factored as g^2 - c^2 = eta^2 - 1 so that none cancels
+/// source  Fresnel 1823. From g^2 - c^2 = E follows (g + c)^4 = E^2 + W, so that nothing cancels, and what is
+///         reflected at grazing incidence and beyond the critical angle is exactly 1. Lengths are in units of
+///         1 / n_i, which saves the division by it
 template <class T>
 boundary<T> dielectric(T n_i, T n_t, T cos_i) {
-    const T c = cos_i;
-    const T n_i2 = n_i * n_i;
-    const T E = let("E", (n_t - n_i) * (n_t + n_i) / n_i2); // eta^2 - 1
-    const T s2 = let("s2", (1 - c) * (1 + c));
-    const T g2 = let("g2", E + c * c);
+    const T c = let("c", n_i * cos_i);
+    const T s2 = let("s2", n_i * ((1 - cos_i) * (1 + cos_i)));
+    const T E = let("E", (n_t - n_i) * (n_t + n_i)); // eta^2 - 1
 
     // Snell: g = eta cos_t, 0 under total internal reflection
+    const T g2 = let("g2", E + c * c);
     const T g = let("g", select(g2 <= 0, T(0), sqrt(select(g2 <= 0, T(1), g2))));
+
+    const T E2 = let("E2", E * E);
     const T w = let("w", 4 * (c * g));
+    const T a2 = let("a2", square(g + c));
+    const T D_s =
+        let("D_s", max(E2 + w * a2, negligible<T>())); // below it only for equal media at grazing incidence
+    const T R_s = let("R_s", E2 / D_s);
 
-    const T a2 = let("a2", square(g + c)); // 0 only at grazing incidence without a denser medium behind
-    const T D_s = let("D_s", select(a2 <= 0, T(1), a2));
-    const T b2 = let("b2", square(c * g + s2)); // 0 only where g rounds to 0, at normal incidence
-    const T D_p = let("D_p", select(b2 <= 0, T(1), b2));
+    const T x = let("x", cos_i * g);
+    const T b = let("b", x + s2); // 0 only where g rounds to 0, at normal incidence
+    const T D_p = let("D_p", select(b <= 0, T(1), b));
+    const T q = let("q", select(b <= 0, T(1), (x - s2) / D_p));
+    const T R_p = let("R_p", R_s * (q * q));
 
-    // what rounding takes past 1 is had from its complement, which is small and keeps the slope
-    const T R_0 = let("R_0", square(E / D_s));
-    const T T_0 = let("T_0", w / D_s);
-    const T R_s = let("R_s", select(R_0 > 1, 1 - T_0, R_0));
-    const T T_s = let("T_s", select(T_0 > 1, 1 - R_0, T_0));
-    const T Q = let("Q", square((c * c * (E + 1) - s2) / D_p));
-    const T P = let("P", w * s2 / D_p); // 1 - Q
-    const T R_p = R_s * select(Q > 1, 1 - P, Q);
-    const T T_p = min(T_s + R_s * P, T(1));
-
-    // nothing passes at grazing incidence or beyond the critical angle, unless there is no boundary at all
-    const T barred = let("barred", select(abs(E) > 0, T(1), T(0)));
-    const auto closed = min(w, abs(E)) <= 0;
-    const T C_s = let("C_s", barred * (1 - T_s));
-    const T C_p = let("C_p", barred * (1 - T_p));
-    return {select(closed, C_s, R_s), select(closed, C_p, R_p), select(closed, 1 - C_s, T_s),
-            select(closed, 1 - C_p, T_p)};
+    const T T_s = let("T_s", select(E2 <= 0, 1 - R_s, w * (a2 / D_s)));
+    const T T_p = let("T_p", T_s + R_s * (4 * (x * s2) / (D_p * D_p)));
+    return {R_s, R_p, min(T_s, T(1)), min(T_p, T(1))};
 }
 
 /// The same equations in the fewest operations, the arrangement of Cook and Torrance.
@@ -88,25 +89,27 @@ boundary<T> dielectric(T n_i, T n_t, T cos_i) {
 /// n_i, n_t, cos_i, returns   as `dielectric`
 /// error   float32: relative 4e-6 in R for eta > 1.05, growing like 2e-7 / |eta - 1|: no digit left at
 ///         1 +- 1e-6. Equal media at cos_i = 0 transmit nothing
-/// source  Cook and Torrance 1982, "A Reflectance Model for Computer Graphics"
+/// source  Cook and Torrance 1982, "A Reflectance Model for Computer Graphics"; lengths as in `dielectric`
 template <class T>
 boundary<T> dielectric_fast(T n_i, T n_t, T cos_i) {
-    const T c = cos_i;
-    const T eta = let("eta", n_t / n_i);
-    const T g2 = let("g2", eta * eta - 1 + c * c);
-    const T s2 = let("s2", 1 - c * c);
+    const T c = let("c", n_i * cos_i);
+    const T sin2 = let("sin2", 1 - cos_i * cos_i);
+    const T s2 = let("s2", n_i * sin2);
+    const T g2 = let("g2", n_t * n_t - n_i * s2);
 
     // total internal reflection: g = 0 makes r_s and r_p / r_s both 1
     const T g = let("g", select(g2 <= 0, T(0), sqrt(select(g2 <= 0, T(1), g2))));
-    const T a = let("a", select(square(g + c) <= 0, T(1), g + c));
-    const T b = let("b", select(g2 <= 0, T(1), c * g + s2));
+    const T x = let("x", cos_i * g);
+    const T a = let("a", select(g2 <= 0, T(1), g + c));
+    const T b = let("b", select(g2 <= 0, T(1), x + s2));
 
-    const T r_s = let("r_s", select(g2 < 0, T(1), (g - c) / a));
-    const T q = let("q", select(g2 <= 0, T(1), (c * g - s2) / b));
+    const T r_s = let("r_s", select(g2 <= 0, T(1), (g - c) / a));
+    const T q = let("q", select(g2 <= 0, T(1), (x - s2) / b));
     const T R_s = r_s * r_s;
     const T R_p = R_s * (q * q);
-    const T T_s = 4 * (c * g) / (a * a);
-    return {R_s, R_p, min(T_s, T(1)), min(T_s + R_s * (4 * (c * g) * s2 / (b * b)), T(1))};
+    const T w = let("w", select(g2 <= 0, T(0), 4 * (c * g)));
+    const T T_s = w / (a * a);
+    return {R_s, R_p, min(T_s, T(1)), min(T_s + R_s * (w * sin2 / (b * b)), T(1))};
 }
 
 /// The part of the transmitted wave's vector along the normal, m cos_t = a + i b with m the relative complex
@@ -144,8 +147,10 @@ normal_wave<T> refract_complex(T n_i, T n_t, T k_t, T cos_i) {
 
 /// Exact reflectance and transmittance from a transparent medium into an absorbing one.
 ///
-///   (a + i b)^2 = (n + i k)^2 - s^2        R_s = ((a - c)^2 + b^2) / ((a + c)^2 + b^2)
-///   R_p = R_s ((a c - s^2)^2 + b^2 c^2) / ((a c + s^2)^2 + b^2 c^2)
+///   (a + i b)^2 = m^2 - s^2     A = a^2 + b^2     m = n + i k
+///   R_s = F / (F + W)           F = |m^2 - 1|^2             W = 4 a c (A + c^2 + 2 a c)
+///   R_p = R_s B / (B + V)       B = |m^2 c^2 - s^2|^2       V = 4 a c s^2 (c^2 A + s^4 + 2 a c s^2)
+///   T_s = W / (F + W)           T_p = T_s + R_s V / (B + V)
 ///
 /// n_i     index of the ambient medium                        [0.01, 100]
 /// n_t     real part of the index behind                      [0.001, 1000]
@@ -155,63 +160,82 @@ normal_wave<T> refract_complex(T n_i, T n_t, T k_t, T cos_i) {
 ///         0 for equal media at every angle, and exactly 1 at cos_i = 0 for any others
 /// error   relative 8 epsilon in R and 4 in T, times 1 + |m^2 - 1| / |m^2 - s^2|: in float32 2e-6 for metals
 ///         and for eta > 1, and up to 6e-2 at the critical angle of eta >= 0.1 (k_t = 0 only)
-/// source  Born and Wolf 1999, "Principles of Optics", 7th ed., sec. 14.2; Moeller 1988, "Optics", p. 111
+/// source  Born and Wolf 1999, "Principles of Optics", 7th ed., sec. 14.2. With q = a + i b, |q + c|^4 = F + W
+///         and |q c + s^2|^4 = B + V, so that nothing cancels. Of a and b the larger is u, the other n k / u;
+///         lengths are in units of 1 / n_i, and F, W, B, V are multiplied by u^2, which saves those divisions
 template <class T>
 boundary<T> conductor(T n_i, T n_t, T k_t, T cos_i) {
-    const T c = cos_i;
-    const T s2 = let("s2", (1 - c) * (1 + c));
-    const normal_wave<T> t = refract_complex(n_i, n_t, k_t, c);
+    const T c = let("c", n_i * cos_i);
+    const T c2 = let("c2", c * c);
+    const T cos2 = let("cos2", cos_i * cos_i);
+    const T sin2 = let("sin2", (1 - cos_i) * (1 + cos_i));
+    const T s2 = let("s2", n_i * sin2);
 
-    const T b2 = let("b2", t.b * t.b);
-    const T ac = let("ac", t.a * c);
-    const T bc2 = let("bc2", b2 * (c * c));
-    const T D_s = let("D_s", square(t.a + c) + b2);
-    const T D_p = let("D_p", square(ac + s2) + bc2);
-    const T D = let("D", select(D_s <= 0, T(1), D_s)); // 0 only for equal media at grazing incidence
-    const T P = let("P", select(D_p <= 0, T(1), D_p)); // 0 only where a rounds to 0, at normal incidence
+    // Snell
+    const T k2 = let("k2", k_t * k_t);
+    const T E = let("E", (n_t - n_i) * (n_t + n_i) - k2); // Re m^2 - 1
+    const T Z = let("Z", 2 * (n_t * k_t));                // Im m^2
+    const T Z2 = let("Z2", Z * Z);
+    const T t0 = let("t0", E + c2);
+    const T A = let("A", sqrt(t0 * t0 + Z2));
+    const T S = let("S", A + abs(t0));
+    const T half = let("half", S / 2);
+    const T u2 = let("u2", select(half <= negligible<T>(), c2, half)); // at the critical angle any will do
+    const T u = let("u", sqrt(u2));
+    const T a = let("a", select(t0 < 0, Z, S)); // 2 u a
 
-    const T N_s = let("N_s", t.d * t.d + b2); // 0 only where nothing is reflected
-    const T R_s = let("R_s", N_s / D);
-    const T R_p = let("R_p", R_s * select(D_p <= 0, T(1), (square(ac - s2) + bc2) / P));
-    const T T_s = let("T_s", select(N_s <= 0, T(1), 4 * ac / D));
-    const T T_p = let("T_p", T_s + R_s * (4 * (ac * s2) / P));
+    const T ac = let("ac", a * c);
+    const T F = let("F", (E * E + Z2) * u2);
+    const T G_s = let("G_s", (A + c2) * u + ac);
+    const T D_s = let(
+        "D_s", max(F + 2 * ac * G_s, negligible<T>())); // below it only for equal media at grazing incidence
+    const T R_s = let("R_s", F / D_s);
+
+    const T as = let("as", ac * sin2);
+    const T N = let("N", (n_t * n_t - k2) * cos2 - n_i * s2); // Re m^2 c^2 - s^2
+    const T B = let("B", (N * N + square(Z * cos2)) * u2);
+    const T G_p = let("G_p", (A * cos2 + s2 * s2) * u + as);
+    const T D_p = let("D_p", max(B + 2 * as * G_p, negligible<T>()));
+    const T R_p = let("R_p", R_s * (B / D_p));
+
+    const T T_s = let("T_s", select(F <= 0, 1 - R_s, 2 * (a * (G_s / D_s)) * c));
+    const T T_p = let("T_p", T_s + R_s * (2 * (a * (G_p / D_p)) * (c * sin2)));
     return {R_s, R_p, min(T_s, T(1)), min(T_p, T(1))};
 }
 
-/// The same equations in the fewest operations: two square roots and one division.
+/// The same equations in the fewest operations.
 ///
 ///   R_s = (t1 - t2) / (t1 + t2)        R_p = R_s (t3 - t4) / (t3 + t4)
 ///
 /// n_i, n_t, k_t, cos_i, returns   as `conductor`
 /// error   float32: relative 3e-6 in R for metals, 1e-4 for dielectrics; R has no digit left near an index
-///         match (k_t < 1e-3 and n_t near n_i), T none where n_t << k_t
-/// source  Lagarde 2013, "Memo on Fresnel equations", after Shirley
+///         match (k_t < 1e-3 and n_t near n_i), T none where n_t << k_t. Equal media at cos_i = 0 transmit
+///         nothing
+/// source  Lagarde 2013, "Memo on Fresnel equations", after Shirley; lengths as in `dielectric`
 template <class T>
 boundary<T> conductor_fast(T n_i, T n_t, T k_t, T cos_i) {
-    const T c = cos_i;
-    const T c2 = c * c;
-    const T s2 = let("s2", 1 - c2);
-    const T n_i2 = n_i * n_i;
-    const T t0 = let("t0", ((n_t - n_i) * (n_t + n_i) - k_t * k_t) / n_i2 + c2);
-    const T nk2 = let("nk2", 2 * (n_t * k_t / n_i2));
+    const T c = let("c", n_i * cos_i);
+    const T c2 = let("c2", c * c);
+    const T cos2 = let("cos2", cos_i * cos_i);
+    const T sin2 = let("sin2", 1 - cos2);
+    const T t0 = let("t0", (n_t - n_i) * (n_t + n_i) - k_t * k_t + c2);
+    const T nk2 = let("nk2", 2 * (n_t * k_t));
     const T A = let("A", sqrt(t0 * t0 + nk2 * nk2)); // a^2 + b^2
-    const T a2 = let("a2", (A + t0) / 2);
+    const T a2 = let("a2", 2 * (A + t0));            // (2 a)^2
     const T a = let("a", select(a2 <= 0, T(0), sqrt(select(a2 <= 0, T(1), a2))));
 
     const T t1 = let("t1", A + c2);
-    const T t2 = let("t2", min(2 * (a * c), t1));
-    const T t3 = let("t3", c2 * A + s2 * s2);
-    const T t4 = let("t4", min(t2 * s2, t3));
-    const T D_s = let("D_s", t1 + t2);
+    const T t2 = let("t2", min(a * c, t1));
+    const T t3 = let("t3", max(cos2 * A + square(n_i * sin2), negligible<T>()));
+    const T t4 = let("t4", min(t2 * sin2, t3));
+    const T D_s =
+        let("D_s", max(t1 + t2, negligible<T>())); // below it only for equal media at grazing incidence
     const T D_p = let("D_p", t3 + t4);
-    const T D = let("D", D_s * D_p);
-    const auto open = D * D <= 0; // equal media close to grazing incidence, where 1 / D would be infinite
-    const T inv_D = let("inv_D", 1 / select(open, T(1), D));
 
-    const T R_s = let("R_s", min((t1 - t2) * D_p * inv_D, T(1)));
-    const T R_p = let("R_p", R_s * min((t3 - t4) * D_s * inv_D, T(1)));
-    const T T_s = let("T_s", select(open, T(1), 2 * t2 * D_p * inv_D));
-    const T T_p = let("T_p", T_s + R_s * (2 * t4 * D_s * inv_D));
+    const T R_s = let("R_s", (t1 - t2) / D_s);
+    const T R_p = let("R_p", R_s * ((t3 - t4) / D_p));
+    const T T_s = let("T_s", 2 * t2 / D_s);
+    const T T_p = let("T_p", T_s + R_s * (2 * t4 / D_p));
     return {R_s, R_p, min(T_s, T(1)), min(T_p, T(1))};
 }
 

@@ -30,18 +30,18 @@ constexpr auto always = [] { return true; };
 constexpr instruction_set built[] = {
     {"scalar", 1, always, scalar_kernels},
 #if defined(__x86_64__)
-    {"sse2", 4, always, sse2_kernels},
-    {"avx2", 8, [] { return __builtin_cpu_supports("avx2") != 0; }, avx2_kernels},
-    {"avx512", 16,
+    {"sse2", 8, always, sse2_kernels},
+    {"avx2", 16, [] { return __builtin_cpu_supports("avx2") != 0; }, avx2_kernels},
+    {"avx512", 64,
      [] {
          return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
                 __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
      },
      avx512_kernels},
 #elif defined(__aarch64__)
-    {"neon", 4, always, neon_kernels},
+    {"neon", 16, always, neon_kernels},
 #elif defined(__wasm__)
-    {"simd128", 4, always, simd128_kernels},
+    {"simd128", 8, always, simd128_kernels},
 #endif
 };
 

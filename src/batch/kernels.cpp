@@ -1,30 +1,31 @@
 // Every model of the registry on arrays, for one instruction set. Compiled once for each, with FRESNEL_ISA_NAMESPACE,
-// FRESNEL_ISA_LANES and FRESNEL_ISA_KERNELS (the name of its table) set. No function of the standard library may be called here: see simd.hpp.
+// FRESNEL_ISA_LANES, FRESNEL_ISA_BATCHES (how many batches are computed side by side) and FRESNEL_ISA_KERNELS (the name
+// of its table) set. No function of the standard library may be called here: see simd.hpp.
 
 #include "batch/kernels.hpp"
 
 #include <fresnel/models.hpp>
-#include <fresnel/types/simd.hpp>
+#include <fresnel/types/wide.hpp>
 
 namespace fresnel {
 inline namespace FRESNEL_ISA_NAMESPACE {
 namespace {
 
-constexpr int lane_count = FRESNEL_ISA_LANES;
-using value = batch<float, lane_count>;
+using single = batch<float, FRESNEL_ISA_LANES>;
+using several = wide<single, FRESNEL_ISA_BATCHES>;
 
-/// Runs f(inputs, outputs) over the arrays of a call, a batch at a time.
-template <int inputs, int outputs, class F>
+/// Runs f(inputs, outputs) over the arrays of a call, a value at a time.
+template <class value, int inputs, int outputs, class F>
 FRESNEL_INLINE void run(const kernel_call& call, F f) {
     const float* in[inputs];
     std::size_t steps[inputs];
     float* out[outputs];
     for (int k = 0; k < inputs; ++k)
-        in[k] = call.inputs[k], steps[k] = call.steps[k];
+        in[k] = call.inputs[k], steps[k] = call.steps[k] ? std::size_t{value::size} : 0;
     for (int k = 0; k < outputs; ++k)
         out[k] = call.outputs[k];
 
-    for (std::size_t i = 0; i < call.count; i += lane_count) {
+    for (std::size_t i = 0; i < call.count; i += value::size) {
         value x[inputs], y[outputs];
         for (int k = 0; k < inputs; ++k) {
             x[k] = value::load(in[k]);
@@ -36,20 +37,20 @@ FRESNEL_INLINE void run(const kernel_call& call, F f) {
     }
 }
 
-/// The model in row i of the registry, on batches: what `result` makes of it.
-template <std::size_t i>
+/// The model in row i of the registry on `value`, a number type of several lanes.
+template <std::size_t i, class value>
 struct row_at {
     static constexpr const auto& row = std::get<i>(registry);
     static constexpr int parameters = static_cast<int>(row.parameters.size());
     static constexpr bool polarised = row.kind == model_kind::exact;
 
-    FRESNEL_INLINE static auto result(const value* x, value cos_i) {
+    FRESNEL_INLINE static auto result(const value* x, const value& cos_i) {
         return [&]<std::size_t... k>(std::index_sequence<k...>) {
             return row.evaluate(x[k]..., cos_i);
         }(std::make_index_sequence<static_cast<std::size_t>(parameters)>{});
     }
 
-    FRESNEL_INLINE static value reflectance(const value* x, value cos_i) {
+    FRESNEL_INLINE static value reflectance(const value* x, const value& cos_i) {
         if constexpr (polarised)
             return result(x, cos_i).reflectance();
         else
@@ -58,34 +59,40 @@ struct row_at {
 };
 
 template <std::size_t i>
-[[gnu::flatten]] void reflectance(const kernel_call& call) {
-    constexpr int n = row_at<i>::parameters;
-    run<n + 1, 1>(call, [](const value* x, value* y) { y[0] = row_at<i>::reflectance(x, x[n]); });
-}
+using wide_row = row_at<i, several>;
 
 template <std::size_t i>
+[[gnu::flatten]] void reflectance(const kernel_call& call) {
+    constexpr int n = wide_row<i>::parameters;
+    run<several, n + 1, 1>(call,
+                           [](const several* x, several* y) { y[0] = wide_row<i>::reflectance(x, x[n]); });
+}
+
+/// The channels are independent of each other already: one batch of each.
+template <std::size_t i>
 [[gnu::flatten]] void rgb(const kernel_call& call) {
-    constexpr int n = row_at<i>::parameters;
-    run<3 * n + 1, 3>(call, [](const value* x, value* y) {
+    using row = row_at<i, single>;
+    constexpr int n = row::parameters;
+    run<single, 3 * n + 1, 3>(call, [](const single* x, single* y) {
         for (int channel = 0; channel < 3; ++channel)
-            y[channel] = row_at<i>::reflectance(x + channel * n, x[3 * n]);
+            y[channel] = row::reflectance(x + channel * n, x[3 * n]);
     });
 }
 
 template <std::size_t i>
 [[gnu::flatten]] void polarised(const kernel_call& call) {
-    constexpr int n = row_at<i>::parameters;
-    run<n + 1, 2>(call, [](const value* x, value* y) {
-        const auto at_boundary = row_at<i>::result(x, x[n]);
+    constexpr int n = wide_row<i>::parameters;
+    run<several, n + 1, 2>(call, [](const several* x, several* y) {
+        const auto at_boundary = wide_row<i>::result(x, x[n]);
         y[0] = at_boundary.R_s, y[1] = at_boundary.R_p;
     });
 }
 
 template <std::size_t i>
 [[gnu::flatten]] void powers(const kernel_call& call) {
-    constexpr int n = row_at<i>::parameters;
-    run<n + 1, 4>(call, [](const value* x, value* y) {
-        const auto at_boundary = row_at<i>::result(x, x[n]);
+    constexpr int n = wide_row<i>::parameters;
+    run<several, n + 1, 4>(call, [](const several* x, several* y) {
+        const auto at_boundary = wide_row<i>::result(x, x[n]);
         y[0] = at_boundary.R_s, y[1] = at_boundary.R_p;
         y[2] = at_boundary.T_s, y[3] = at_boundary.T_p;
     });
@@ -93,7 +100,7 @@ template <std::size_t i>
 
 template <std::size_t i>
 constexpr model_kernels kernels_of() {
-    if constexpr (row_at<i>::polarised)
+    if constexpr (wide_row<i>::polarised)
         return {&reflectance<i>, &rgb<i>, &polarised<i>, &powers<i>};
     else
         return {&reflectance<i>, &rgb<i>, nullptr, nullptr};
@@ -110,7 +117,6 @@ struct table<std::index_sequence<i...>> {
 using every_model = table<std::make_index_sequence<std::tuple_size_v<decltype(registry)>>>;
 
 } // namespace
-
 } // namespace FRESNEL_ISA_NAMESPACE
 
 const model_kernels* FRESNEL_ISA_KERNELS() { return every_model::rows; }

@@ -8,13 +8,13 @@
 namespace fresnel {
 
 /// The most values that any instruction set computes at a time.
-inline constexpr int most_lanes = 16;
+inline constexpr int most_lanes = 64;
 
-/// Arrays that a kernel reads and writes. An input with step 0 gives the same batch again and again, one with the
-/// kernel's lanes as its step the next. An output may be an input's array itself, but must not overlap one otherwise.
+/// Arrays that a kernel reads and writes. An input with step 0 gives the same values again and again, any other the
+/// next ones. An output may be an input's array itself, but must not overlap one otherwise.
 struct kernel_call {
     const float* const* inputs; ///< the parameters (for rgb those of red, of green, of blue), then cos_i
-    const std::size_t* steps;   ///< 0 or the lanes, for each input
+    const std::size_t* steps;   ///< 0 or not, for each input
     float* const* outputs;
     std::size_t count; ///< a multiple of the lanes
 };
