@@ -74,7 +74,12 @@ struct counting {
     friend counting operator-(counting a, counting b) { return made(a.value - b.value, cheap, a, b); }
     friend counting operator-(counting a) { return made(-a.value, {}, a); }
     friend counting operator*(counting a, counting b) { return made(a.value * b.value, cheap, a, b); }
-    friend counting operator/(counting a, counting b) { return made(a.value / b.value, division, a, b); }
+    // by a power of two it is a multiplication
+    friend counting operator/(counting a, counting b) {
+        int exponent = 0;
+        const bool exact = b.constant && std::frexp(b.value, &exponent) == 0.5;
+        return made(a.value / b.value, exact ? cheap : division, a, b);
+    }
     friend counting operator<(counting a, counting b) {
         return made(a.value < b.value ? 1.0 : 0.0, cheap, a, b);
     }

@@ -1,6 +1,6 @@
 // Every model of the registry on arrays, for one instruction set. Compiled once for each, with FRESNEL_ISA_NAMESPACE,
-// FRESNEL_ISA_LANES, FRESNEL_ISA_BATCHES (how many batches are computed side by side) and FRESNEL_ISA_KERNELS (the name
-// of its table) set. No function of the standard library may be called here: see simd.hpp.
+// FRESNEL_ISA_LANES, FRESNEL_ISA_BATCHES (how many batches are computed side by side, FRESNEL_ISA_ANGLES in a spectral
+// table) and FRESNEL_ISA_KERNELS (the name of its table) set. No function of the standard library may be called here: see simd.hpp.
 
 #include "batch/kernels.hpp"
 
@@ -116,9 +116,35 @@ struct table<std::index_sequence<i...>> {
 
 using every_model = table<std::make_index_sequence<std::tuple_size_v<decltype(registry)>>>;
 
+/// One block of a spectral table: the angles from `begin` on, as many as `value` has lanes.
+template <class value>
+FRESNEL_INLINE void spectral_block(const spectral_call& call, std::size_t begin) {
+    const value n_i = value::broadcast(call.n_i);
+    const value cos_i = value::load(call.cos_i + begin);
+    value sum[3] = {0, 0, 0};
+    for (std::size_t i = 0; i < call.wavelengths; ++i) {
+        const value n_t = value::broadcast(call.n_t[i]), k_t = value::broadcast(call.k_t[i]);
+        const value R = conductor(n_i, n_t, k_t, cos_i).reflectance();
+        for (int channel = 0; channel < 3; ++channel)
+            sum[channel] = sum[channel] + value::broadcast(call.weights[channel][i]) * R;
+    }
+    for (int channel = 0; channel < 3; ++channel)
+        sum[channel].store(call.rgb[channel] + begin);
+}
+
+/// Many angles at a time share what depends on the wavelength alone; what is left over goes batch by batch.
+[[gnu::flatten]] void spectral(const spectral_call& call) {
+    using many = wide<single, FRESNEL_ISA_ANGLES>;
+    std::size_t i = 0;
+    for (; i + many::size <= call.angles; i += many::size)
+        spectral_block<many>(call, i);
+    for (; i < call.angles; i += single::size)
+        spectral_block<single>(call, i);
+}
+
 } // namespace
 } // namespace FRESNEL_ISA_NAMESPACE
 
-const model_kernels* FRESNEL_ISA_KERNELS() { return every_model::rows; }
+kernel_table FRESNEL_ISA_KERNELS() { return {several::size, every_model::rows, single::size, &spectral}; }
 
 } // namespace fresnel

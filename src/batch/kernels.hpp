@@ -29,12 +29,30 @@ struct model_kernels {
     kernel powers;      ///< 4 outputs: R_s, R_p, T_s, T_p; null likewise
 };
 
-// One per instruction set, each an array in the registry's order.
-const model_kernels* scalar_kernels();
-const model_kernels* sse2_kernels();
-const model_kernels* avx2_kernels();
-const model_kernels* avx512_kernels();
-const model_kernels* neon_kernels();
-const model_kernels* simd128_kernels();
+/// A spectral table: reflectance by `conductor` at every wavelength and angle, weighted and added into three channels.
+struct spectral_call {
+    const float *n_t, *k_t;  ///< for each wavelength
+    const float* weights[3]; ///< for each wavelength
+    std::size_t wavelengths;
+    float n_i;
+    const float* cos_i; ///< for each angle
+    float* rgb[3];      ///< for each angle
+    std::size_t angles; ///< a multiple of spectral_lanes
+};
+
+/// What is compiled once for each instruction set.
+struct kernel_table {
+    std::size_t lanes;           ///< the counts of kernel_call are multiples of it
+    const model_kernels* models; ///< in the registry's order
+    std::size_t spectral_lanes;
+    void (*spectral)(const spectral_call&);
+};
+
+kernel_table scalar_kernels();
+kernel_table sse2_kernels();
+kernel_table avx2_kernels();
+kernel_table avx512_kernels();
+kernel_table neon_kernels();
+kernel_table simd128_kernels();
 
 } // namespace fresnel

@@ -92,6 +92,14 @@ template <class E, int N>
 FRESNEL_INLINE array<int, N> operator==(array<E, N> a, array<E, N> b) { return each<int>(a, b, [](E x, E y) { return -(x == y); }); }
 // clang-format on
 
+/// The same value in every lane of a zero.
+template <class E, int N>
+FRESNEL_INLINE array<E, N> broadcast(E x, array<E, N> zero) {
+    for (E& lane : zero.lane)
+        lane = x;
+    return zero;
+}
+
 /// `a` where the mask holds, otherwise `b`.
 template <int N>
 FRESNEL_INLINE array<float, N> blend(array<int, N> mask, array<float, N> a, array<float, N> b) {
@@ -125,6 +133,12 @@ struct storage<N> {
     typedef std::int32_t masks __attribute__((vector_size(N * sizeof(float))));
     typedef std::uint32_t words __attribute__((vector_size(N * sizeof(float))));
 };
+
+// not lane by lane, which g++ keeps; subtracting 0 changes no x
+template <class E, class Lanes>
+FRESNEL_INLINE Lanes broadcast(E x, Lanes zero) {
+    return x - zero;
+}
 
 template <class Mask, class Floats>
 FRESNEL_INLINE Floats blend(Mask mask, Floats a, Floats b) {
@@ -185,10 +199,7 @@ public:
 
     /// The same value in every lane.
     static FRESNEL_INLINE batch broadcast(float x) {
-        floats result{};
-        for (int i = 0; i < N; ++i)
-            result[i] = x;
-        return batch(result);
+        return batch(lanes::broadcast<float>(x, floats{}));
     }
     /// N values from memory, of any alignment.
     static FRESNEL_INLINE batch load(const float* from) {
@@ -231,10 +242,7 @@ public:
         return result;
     }
     static FRESNEL_INLINE words word(std::uint32_t x) {
-        words result{};
-        for (int i = 0; i < N; ++i)
-            result[i] = x;
-        return result;
+        return lanes::broadcast<std::uint32_t>(x, words{});
     }
 
 private:

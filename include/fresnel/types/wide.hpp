@@ -49,6 +49,13 @@ public:
             part = V(integer);
     }
 
+    /// The same value in every lane.
+    static FRESNEL_INLINE wide broadcast(float x) {
+        wide result;
+        for (V& part : result.part_)
+            part = V::broadcast(x);
+        return result;
+    }
     /// K V::size values from memory, of any alignment.
     static FRESNEL_INLINE wide load(const float* from) {
         wide result;

@@ -1,0 +1,296 @@
+// How fast the models are, and how near to what the machine can do at most.
+//
+//   fresnel_bench                                        everything, about three minutes
+//   fresnel_bench --benchmark_filter=conductor/          one model
+//   fresnel_bench --benchmark_format=json
+//
+// A benchmark is MODEL/PATH/SIZE: the model, the instruction set, how many values (1024 lie in the first cache, 2^24 do
+// not lie in any). Its counters are medians of rounds in which the model, what bounds it and its rivals take turns, so
+// that a change of clock or a busy neighbour meets all of them:
+//   ns_per_value     time of one reflectance
+//   share_of_limit   the limit's time over it. The limit is the largest of: the model's divisions and square roots at
+//                    the instruction set's own rate; its other operations at the rate of multiplications and additions,
+//                    exp2 and pow at their own; reading its inputs and writing its output
+//   times_textbook, times_complex_class, times_memo   how many times the forms of rivals.hpp take
+// One thread throughout; inputs include total internal reflection.
+
+#include "rivals.hpp"
+#include "units.hpp"
+
+#include "analysis/model_table.hpp"
+#include "batch/core.hpp"
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace fresnel::bench {
+namespace {
+
+constexpr std::size_t small_size = 1024, large_size = std::size_t{1} << 24;
+
+// ---- timing -----------------------------------------------------------------------------------------------
+
+using work = std::function<void()>;
+
+double seconds(const work& run, int times) {
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < times; ++i)
+        run();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / times;
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// Times of several works that take turns: seconds[work], medians over the rounds.
+std::vector<double> take_turns(const std::vector<work>& works, bool large) {
+    const int rounds = large ? 5 : 41;
+    std::vector<int> times;
+    for (const work& run : works) {
+        const double once = seconds(run, 1);
+        times.push_back(std::clamp(static_cast<int>(1e-4 / once), 1, 10000));
+    }
+    std::vector<std::vector<double>> taken(works.size());
+    for (int round = 0; round < rounds; ++round)
+        for (std::size_t i = 0; i < works.size(); ++i)
+            taken[i].push_back(seconds(works[i], times[i]));
+    std::vector<double> result;
+    for (const std::vector<double>& of_one : taken)
+        result.push_back(median(of_one));
+    return result;
+}
+
+// ---- inputs -----------------------------------------------------------------------------------------------
+
+using floats = std::vector<float>;
+
+/// Where a parameter's values are drawn from: what scenes hold.
+std::pair<float, float> range_of(const parameter& p) {
+    if (p.name == "n_t" || p.name == "n") return {0.4f, 2.5f};
+    if (p.name == "k_t" || p.name == "k") return {0, 10};
+    if (p.name == "eta") return {0.4f, 1};
+    if (p.name == "power" || p.name == "alpha") return {3, 8};
+    return {0.02f, 0.98f};
+}
+
+floats random_values(std::pair<float, float> range, std::size_t count, unsigned seed) {
+    std::mt19937 generator(seed);
+    std::uniform_real_distribution<float> draw(range.first, range.second);
+    floats values(count);
+    for (float& value : values)
+        value = draw(generator);
+    return values;
+}
+
+/// The arrays of a model's parameters and of cos_i. n_i is 1 for all values, not an array.
+struct inputs {
+    std::vector<floats> columns;
+    std::vector<batch_argument> parameters;
+    std::vector<const float*> arrays; ///< those that are read, cos_i last
+
+    inputs(const model_row& model, std::size_t count) {
+        static const float one = 1;
+        for (std::size_t i = 0; i < model.parameter_count; ++i) {
+            const parameter& p = model.parameters[i];
+            if (p.name == "n_i") {
+                parameters.push_back(batch_argument::same(one));
+                continue;
+            }
+            columns.push_back(random_values(range_of(p), count, static_cast<unsigned>(i)));
+            arrays.push_back(columns.back().data());
+            parameters.push_back(batch_argument::array(arrays.back()));
+        }
+        columns.push_back(random_values({0, 1}, count, 99));
+        arrays.push_back(columns.back().data());
+    }
+    const float* cos_i() const { return arrays.back(); }
+};
+
+// ---- limits -----------------------------------------------------------------------------------------------
+
+constexpr std::pair<std::string_view, unit_kernels (*)()> every_units[] = {
+    {"scalar", scalar_units},
+#if defined(__x86_64__)
+    {"sse2", sse2_units},
+    {"avx2", avx2_units},
+    {"avx512", avx512_units},
+#elif defined(__aarch64__)
+    {"neon", neon_units},
+#endif
+};
+
+unit_kernels units_of(std::string_view set) {
+    for (const auto& [name, units] : every_units)
+        if (name == set) return units();
+    return {};
+}
+
+/// Works that measure the units, and what their times say about a model.
+struct limit {
+    static constexpr std::size_t operations = 8192;
+
+    static std::vector<work> works(const unit_kernels& units) {
+        return {[=] { units.division(operations); }, [=] { units.root(operations); },
+                [=] { units.multiply_add(operations); }, [=] { units.exp2(operations); },
+                [=] { units.pow(operations); }};
+    }
+
+    /// Seconds per value from the times of those works.
+    static double seconds_per_value(std::string_view model, const double* times, double stream) {
+        const operation_count count = count_operations(model);
+        const int pows = count.transcendental / 9, exponentials = count.transcendental % 9 / 4;
+        const double divider = count.division * times[0] + count.root * times[1];
+        const double others = count.cheap * times[2] + exponentials * times[3] + pows * times[4];
+        return std::max({divider / operations, others / operations, stream});
+    }
+};
+
+// ---- results ----------------------------------------------------------------------------------------------
+
+/// What the summary at the end is made of: counters by benchmark.
+std::map<std::string, std::map<std::string, double>> results;
+
+void report(benchmark::State& state, const std::string& name, double seconds_once,
+            const std::map<std::string, double>& counters) {
+    for (auto _ : state)
+        state.SetIterationTime(seconds_once);
+    for (const auto& [counter, value] : counters)
+        state.counters[counter] = value;
+    results[name] = counters;
+}
+
+void run_model(benchmark::State& state, const std::string& name, const model_row& model,
+               const instruction_set& set, std::size_t count) {
+    const inputs in(model, count);
+    floats R(count), rival_R(count);
+    float* const outputs[] = {R.data()};
+    batch_job job;
+    make_job(quantity::reflectance, model, set, in.parameters, batch_argument::array(in.cos_i()), count,
+             outputs, job);
+    const unit_kernels units = units_of(set.name);
+    const int arrays = static_cast<int>(in.arrays.size());
+    std::vector<work> works = {[&] { run_job(job, 0, count); },
+                               [&] { units.stream(in.arrays.data(), arrays, rival_R.data(), count); }};
+    for (const work& unit : limit::works(units))
+        works.push_back(unit);
+
+    using rival = void (*)(const index_arrays&, float*, std::size_t);
+    std::vector<std::pair<const char*, rival>> rivals;
+    if (model.name.starts_with("conductor"))
+        rivals = {{"times_textbook", textbook_conductor},
+                  {"times_complex_class", complex_class_conductor},
+                  {"times_memo", memo_conductor}};
+    if (model.name.starts_with("dielectric")) rivals = {{"times_textbook", textbook_dielectric}};
+    if (count == large_size) rivals.clear();
+    const index_arrays index{in.arrays[0], in.arrays[arrays > 2 ? 1 : 0], in.cos_i()};
+    const std::size_t first_rival = works.size();
+    for (const auto& [counter, run] : rivals)
+        works.push_back([&index, &rival_R, count, run = run] { run(index, rival_R.data(), count); });
+
+    const std::vector<double> times = take_turns(works, count == large_size);
+    const double values = static_cast<double>(count);
+    const double per_value = times[0] / values;
+    std::map<std::string, double> counters{
+        {"ns_per_value", per_value * 1e9},
+        {"share_of_limit",
+         limit::seconds_per_value(model.name, times.data() + 2, times[1] / values) / per_value}};
+    for (std::size_t i = 0; i < rivals.size(); ++i)
+        counters[rivals[i].first] = times[first_rival + i] / times[0];
+    report(state, name, times[0], counters);
+}
+
+void run_units(benchmark::State& state, const std::string& name, const unit_kernels& units) {
+    const floats x = random_values({0, 1}, large_size, 1);
+    floats y(large_size);
+    const float* const arrays[] = {x.data()};
+    std::vector<work> works = limit::works(units);
+    works.push_back([&] { units.stream(arrays, 1, y.data(), small_size); });
+    std::vector<double> times = take_turns(works, false);
+    times.push_back(take_turns({[&] { units.stream(arrays, 1, y.data(), large_size); }}, true)[0]);
+    const double each = 1e9 / limit::operations;
+    const double bytes = 2 * sizeof(float) * 1e-9;
+    report(state, name, times[0],
+           {{"ns_division", times[0] * each},
+            {"ns_square_root", times[1] * each},
+            {"ns_multiply_or_add", times[2] * each},
+            {"ns_exp2", times[3] * each},
+            {"ns_pow", times[4] * each},
+            {"gigabytes_per_second_in_cache", bytes * static_cast<double>(small_size) / times[5]},
+            {"gigabytes_per_second_in_memory", bytes * static_cast<double>(large_size) / times[6]}});
+}
+
+// ---- all of it --------------------------------------------------------------------------------------------
+
+template <class Run>
+void add(const std::string& name, Run run) {
+    benchmark::RegisterBenchmark(name.c_str(), [name, run](benchmark::State& state) { run(state, name); })
+        ->Iterations(1)
+        ->UseManualTime()
+        ->Unit(benchmark::kNanosecond);
+}
+
+void add_all() {
+    for (const instruction_set& set : built_instruction_sets()) {
+        if (!set.supported()) continue;
+        add(fmt::format("machine/{}", set.name),
+            [&set](auto& state, auto& name) { run_units(state, name, units_of(set.name)); });
+    }
+    for (const model_row& model : model_rows())
+        for (const instruction_set& set : built_instruction_sets())
+            for (const std::size_t count : {small_size, large_size})
+                if (set.supported())
+                    add(fmt::format("{}/{}/{}", model.name, set.name, count),
+                        [&model, &set, count](auto& state, auto& name) {
+                            run_model(state, name, model, set, count);
+                        });
+}
+
+/// A goal of the project and what was measured, where it was.
+void print_goal(const std::string& benchmark, const std::string& counter, double least) {
+    const auto found = results.find(benchmark);
+    if (found == results.end() || !found->second.contains(counter)) return;
+    fmt::print("{:<36} {:<20} {:>8.2f} {:>8.2f}\n", benchmark, counter, least, found->second.at(counter));
+}
+
+void print_goals() {
+    if (results.empty()) return;
+    fmt::print("\n{:<36} {:<20} {:>8} {:>8}\n", "benchmark", "counter", "goal", "here");
+    for (const std::string set : {"avx512", "avx2"}) {
+        for (const model_row& model : model_rows()) {
+            const std::string small = fmt::format("{}/{}/{}", model.name, set, small_size);
+            const std::string large = fmt::format("{}/{}/{}", model.name, set, large_size);
+            const operation_count count = count_operations(model.name);
+            const bool polynomial = count.division + count.root + count.transcendental == 0;
+            if (model.name == "conductor") print_goal(small, "share_of_limit", 0.75);
+            if (model.name == "conductor_fast" || model.name.starts_with("dielectric"))
+                print_goal(small, "share_of_limit", 0.8);
+            if (polynomial) print_goal(small, "share_of_limit", 0.9);
+            print_goal(large, "share_of_limit", 0.85);
+        }
+        const std::string conductor = fmt::format("conductor/{}/{}", set, small_size);
+        if (set == "avx512") print_goal(conductor, "times_textbook", 80);
+        print_goal(conductor, "times_complex_class", set == "avx512" ? 20 : 12);
+    }
+}
+
+} // namespace
+} // namespace fresnel::bench
+
+int main(int argc, char** argv) {
+    fresnel::bench::add_all();
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+    benchmark::RunSpecifiedBenchmarks();
+    fresnel::bench::print_goals();
+}
