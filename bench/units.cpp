@@ -11,77 +11,58 @@ namespace {
 
 using value = batch<float, FRESNEL_ISA_LANES>;
 
-// A register that the compiler knows nothing about, so that no operation on it is folded, hoisted or dropped.
-#if defined(__aarch64__)
-#define FRESNEL_OPAQUE "+w"
-#else
-#define FRESNEL_OPAQUE "+v"
-#endif
-
-FRESNEL_INLINE void touch(value& x) {
-    if constexpr (FRESNEL_ISA_LANES == 1) {
-        float lane = x[0];
-        asm volatile("" : FRESNEL_OPAQUE(lane));
-        x = value::load(&lane);
-    } else {
-        value::floats lanes;
-        x.store(reinterpret_cast<float*>(&lanes));
-        asm volatile("" : FRESNEL_OPAQUE(lanes));
-        x = value(lanes);
-    }
+/// A value that the compiler does not know, so that nothing computed with it is folded.
+FRESNEL_INLINE value opaque(float x) {
+    const volatile float hidden = x;
+    return value::broadcast(hidden);
 }
 
-/// Runs f on eight values in turn, each result thrown away where the compiler does not see it.
+// What is left after a loop goes here, so that it is not dropped.
+volatile float sink;
+
+/// Applies f to ten values in turn, again and again: enough independent chains to fill every unit, few enough to stay in
+/// sixteen registers.
 template <class F>
 FRESNEL_INLINE void repeat(std::size_t count, F f) {
-    value x[8];
-    for (value& v : x) {
-        v = value::broadcast(1.25f);
-        touch(v);
-    }
-    for (std::size_t done = 0; done < count; done += 8 * FRESNEL_ISA_LANES)
-        for (value& v : x) {
-            touch(v);
-            value result = f(v);
-            touch(result);
-        }
+    constexpr int chains = 10;
+    value x[chains];
+    for (int i = 0; i < chains; ++i)
+        x[i] = opaque(0.5f + 0.01f * static_cast<float>(i));
+    for (std::size_t done = 0; done < count; done += chains * FRESNEL_ISA_LANES)
+        for (value& v : x)
+            v = f(v);
+    for (const value& v : x)
+        sink = v[0];
 }
 
-// two operations a call, neither waiting for the other
-void multiply_add(std::size_t count) {
-    value a = value::broadcast(1.5f);
-    touch(a);
-    repeat(count / 2, [&](const value& x) {
-        value product = x * a;
-        touch(product);
-        return x + a;
-    });
+// two operations a call
+[[gnu::flatten]] void multiply_add(std::size_t count) {
+    const value a = opaque(0.75f), b = opaque(0.25f);
+    repeat(count / 2, [&](const value& x) { return x * a + b; });
 }
 
-void division(std::size_t count) {
-    value a = value::broadcast(1.5f);
-    touch(a);
+[[gnu::flatten]] void division(std::size_t count) {
+    const value a = opaque(1.0f);
     repeat(count, [&](const value& x) { return x / a; });
 }
 
-void root(std::size_t count) {
+[[gnu::flatten]] void root(std::size_t count) {
     repeat(count, [](const value& x) { return sqrt(x); });
 }
 
-void binary_exponential(std::size_t count) {
-    repeat(count, [](const value& x) { return exp2(x); });
+[[gnu::flatten]] void binary_exponential(std::size_t count) {
+    repeat(count, [](const value& x) { return exp2(-x); });
 }
 
-void power(std::size_t count) {
-    value a = value::broadcast(1.5f);
-    touch(a);
+[[gnu::flatten]] void power(std::size_t count) {
+    const value a = opaque(0.99f);
     repeat(count, [&](const value& x) { return pow(x, a); });
 }
 
 using block = wide<value, FRESNEL_ISA_BATCHES>;
 
 template <int inputs>
-void stream_of(const float* const* in, float* out, std::size_t count) {
+[[gnu::flatten]] void stream_of(const float* const* in, float* out, std::size_t count) {
     for (std::size_t i = 0; i < count; i += block::size) {
         block sum = block::load(in[0] + i);
         for (int k = 1; k < inputs; ++k)

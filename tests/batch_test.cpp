@@ -4,15 +4,19 @@
 #include "batch/batch.hpp"
 #include "error.hpp"
 
+#include <fresnel/fresnel.h>
 #include <fresnel/models.hpp>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace fresnel::test {
@@ -313,14 +317,146 @@ TEST(batch, refuses_what_it_cannot_run_and_says_why) {
               "an output is null");
 }
 
+/// The widest, or what FRESNEL_ISA of the environment says: ctest runs this with several.
+TEST(batch, a_spectral_table_adds_the_weighted_reflectances_of_its_wavelengths) {
+    random_numbers random(17);
+    const auto draw = [&](std::size_t count, double lo, double hi) {
+        floats values(count);
+        for (float& v : values)
+            v = static_cast<float>(random.uniform(lo, hi));
+        return values;
+    };
+    constexpr std::size_t wavelengths = 81;
+    const floats n = draw(wavelengths, 0.1, 3), k = draw(wavelengths, 0, 6);
+    const floats weights[] = {draw(wavelengths, -0.01, 0.02), draw(wavelengths, 0, 0.02),
+                              draw(wavelengths, 0, 0.02)};
+    for (const std::size_t angles : {0u, 1u, 15u, 90u, 91u, 96u, 200u}) {
+        const floats cos_i = draw(angles, 0, 1);
+        for (const std::string_view set : instruction_sets()) {
+            floats rgb[3] = {floats(angles + 1, guard), floats(angles + 1, guard), floats(angles + 1, guard)};
+            spectral_table({n, k, {weights[0], weights[1], weights[2]}, 1.25f}, cos_i,
+                           {rgb[0].data(), rgb[1].data(), rgb[2].data()}, set);
+            for (std::size_t channel = 0; channel < 3; ++channel) {
+                for (std::size_t j = 0; j < angles; ++j) {
+                    float sum = 0;
+                    for (std::size_t i = 0; i < wavelengths; ++i)
+                        sum =
+                            sum + weights[channel][i] * conductor(1.25f, n[i], k[i], cos_i[j]).reflectance();
+                    ASSERT_TRUE(same_bits(rgb[channel][j], sum)) << set << ' ' << angles << ' ' << j;
+                }
+                EXPECT_EQ(rgb[channel][angles], guard);
+            }
+        }
+    }
+    EXPECT_EQ(refusal([&] { spectral_table({n, {}, {}}, {}, {}); }),
+              "k_t has 0 wavelengths: must be as many as n_t has, 81");
+}
+
 TEST(batch, every_machine_has_the_scalar_path_and_its_widest_by_default) {
     const auto sets = instruction_sets();
     EXPECT_EQ(sets.front(), "scalar");
     EXPECT_GT(sets.size(), 1u);
     for (const std::string_view set : sets)
         EXPECT_EQ(choose_instruction_set(set), set);
-    const char* forced = std::getenv("FRESNEL_ISA");
-    EXPECT_EQ(choose_instruction_set(""), forced ? std::string_view(forced) : sets.back());
+
+    const char* set_in_environment = std::getenv("FRESNEL_ISA");
+    const std::string forced(set_in_environment ? set_in_environment : "");
+    if (forced.empty()) {
+        EXPECT_EQ(choose_instruction_set(""), sets.back());
+    } else if (std::ranges::count(sets, forced)) {
+        EXPECT_EQ(choose_instruction_set(""), forced);
+    } else {
+        const float x = 0.5F;
+        float R = 7;
+        const std::string message = refusal(
+            [&] { evaluate_batch("schlick", {{batch_argument::same(x)}}, batch_argument::same(x), 1, &R); });
+        EXPECT_TRUE(message.starts_with("instruction set '" + forced +
+                                        "', from FRESNEL_ISA of the environment, is not one of scalar"))
+            << message;
+        EXPECT_EQ(R, 7);
+    }
+}
+
+/// The pointers and strides of a model's parameters as C takes them: all arrays but the first.
+struct c_arguments {
+    std::vector<const float*> parameters;
+    std::vector<std::size_t> strides;
+
+    c_arguments(const points& at, std::size_t from) {
+        for (std::size_t k = 0; k < at.parameters(); ++k) {
+            parameters.push_back(at.columns[k].data() + (k == 0 ? 0 : from));
+            strides.push_back(k == 0 ? 0 : 1);
+        }
+    }
+};
+
+/// At 1003 points, with one value of the first parameter.
+template <class Row>
+points points_for_c(const Row& row) {
+    points at = random_points(row, 1003);
+    if (at.parameters() > 0) at.columns[0].assign(at.size(), at.columns[0][5]);
+    return at;
+}
+
+TEST(batch, c_functions_give_the_same_bits_and_from_several_threads) {
+    for_each_model([](const auto& row) {
+        const points at = points_for_c(row);
+        floats R(at.size());
+        std::vector<std::thread> threads;
+        for (std::size_t from = 0; from < at.size(); from += 251)
+            threads.emplace_back([&, from] {
+                const c_arguments in(at, from);
+                const std::size_t count = std::min<std::size_t>(251, at.size() - from);
+                EXPECT_EQ(fresnel_evaluate(at.model.c_str(), in.parameters.data(), in.strides.data(),
+                                           at.columns.back().data() + from, 1, count, R.data() + from),
+                          FRESNEL_OK);
+            });
+        for (std::thread& thread : threads)
+            thread.join();
+        EXPECT_TRUE(identical(at, R, reflectances(at, {})));
+    });
+}
+
+TEST(batch, c_functions_give_the_same_polarised_bits) {
+    for_each_model([](const auto& row) {
+        const points at = points_for_c(row);
+        const c_arguments in(at, 0);
+        const std::size_t n = at.size();
+        floats parts(4 * n);
+        float* p = parts.data();
+        const fresnel_error error =
+            fresnel_evaluate_polarised(at.model.c_str(), in.parameters.data(), in.strides.data(),
+                                       at.columns.back().data(), 1, n, p, p + n, p + 2 * n, p + 3 * n);
+        if (row.kind != model_kind::exact) {
+            EXPECT_EQ(error, FRESNEL_NOT_POLARISED);
+            return;
+        }
+        EXPECT_EQ(error, FRESNEL_OK);
+        EXPECT_TRUE(identical(at, parts, polarised_parts(at, {})));
+    });
+}
+
+TEST(batch, c_functions_list_the_registry) {
+    std::size_t index = 0;
+    for_each_model([&](const auto& row) {
+        const char* name = fresnel_model_name(index++);
+        ASSERT_NE(name, nullptr);
+        EXPECT_EQ(name, row.name);
+        std::size_t count = 99;
+        EXPECT_EQ(fresnel_model_parameter_count(name, &count), FRESNEL_OK);
+        ASSERT_EQ(count, row.parameters.size());
+        for (std::size_t k = 0; k < count; ++k) {
+            fresnel_parameter actual{};
+            ASSERT_EQ(fresnel_model_parameter(name, k, &actual), FRESNEL_OK);
+            const parameter& expected = row.parameters[k];
+            EXPECT_EQ(actual.name, expected.name);
+            EXPECT_EQ(actual.unit, expected.unit);
+            EXPECT_EQ(actual.min, expected.min);
+            EXPECT_EQ(actual.max, expected.max);
+            EXPECT_EQ(actual.default_value, expected.default_value);
+        }
+    });
+    EXPECT_EQ(index, fresnel_model_count());
 }
 
 } // namespace

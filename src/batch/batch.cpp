@@ -1,12 +1,9 @@
 #include "batch/batch.hpp"
 
-#include "batch/kernels.hpp"
+#include "batch/core.hpp"
 #include "error.hpp"
 
-#include <fresnel/models.hpp>
-
 #include <algorithm>
-#include <cstdlib>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -15,143 +12,62 @@ namespace fresnel {
 
 namespace {
 
-// ---- instruction sets -------------------------------------------------------------------------------------
+// ---- what a name stands for -------------------------------------------------------------------------------
 
-struct instruction_set {
-    std::string_view name;
-    std::size_t lanes;
-    bool (*supported)();
-    const model_kernels* (*kernels)();
-};
-
-constexpr auto always = [] { return true; };
-
-/// What this library was built for, narrowest first.
-constexpr instruction_set built[] = {
-    {"scalar", 1, always, scalar_kernels},
-#if defined(__x86_64__)
-    {"sse2", 8, always, sse2_kernels},
-    {"avx2", 16, [] { return __builtin_cpu_supports("avx2") != 0; }, avx2_kernels},
-    {"avx512", 64,
-     [] {
-         return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-                __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
-     },
-     avx512_kernels},
-#elif defined(__aarch64__)
-    {"neon", 16, always, neon_kernels},
-#elif defined(__wasm__)
-    {"simd128", 8, always, simd128_kernels},
-#endif
-};
-
-const instruction_set& find_instruction_set(std::string_view wanted) {
-    const instruction_set* widest = nullptr;
-    std::string allowed;
-    for (const instruction_set& set : built) {
-        if (!set.supported()) continue;
-        if (set.name == wanted) return set;
-        allowed += std::string(allowed.empty() ? "" : ", ") + std::string(set.name);
-        widest = &set;
-    }
-    if (wanted.empty()) return *widest;
-    throw bad_input("instruction set '" + std::string(wanted) + "' is not one of " + allowed);
-}
-
-/// The set that FRESNEL_ISA names, or the widest. Looked up once.
-const instruction_set& default_instruction_set() {
-    static const instruction_set& set = []() -> const instruction_set& {
-        const char* forced = std::getenv("FRESNEL_ISA");
-        return find_instruction_set(forced ? forced : "");
-    }();
-    return set;
-}
-
-// ---- models -----------------------------------------------------------------------------------------------
-
-struct model_place {
-    std::string_view name;
-    std::size_t index, parameters;
-};
-
-model_place find_place(std::string_view name) {
-    model_place found{};
-    std::size_t index = 0;
+const batch_model& model_named(std::string_view name) {
+    if (const batch_model* found = find_batch_model(name)) return *found;
     std::vector<std::string> names;
-    for_each_model([&](const auto& row) {
-        if (row.name == name) found = {row.name, index, row.parameters.size()};
+    for (const batch_model& row : batch_models())
         names.emplace_back(row.name);
-        ++index;
-    });
-    if (!found.name.empty()) return found;
     throw bad_input("model '" + std::string(name) + "' is unknown" + did_you_mean(name, names));
 }
 
-// ---- running ----------------------------------------------------------------------------------------------
-
-/// A call as the user made it, checked: the inputs are the parameters and cos_i.
-struct job {
-    std::vector<batch_argument> inputs;
-    std::vector<float*> outputs;
-    kernel run;
-    std::size_t lanes;
-};
-
-/// One batch's worth of floats, for values that have to be repeated or cut off.
-using lane_buffer = std::array<float, most_lanes>;
-
-/// The pointers and steps of a job from value `begin` on. Single values are repeated in buffers of their own.
-class kernel_arguments {
-public:
-    kernel_arguments(const job& work, std::size_t begin) : lanes_(work.lanes), repeated_(work.inputs.size()) {
-        for (std::size_t k = 0; k < work.inputs.size(); ++k) {
-            const auto [data, stride] = work.inputs[k];
-            if (stride == 0) repeated_[k].fill(*data);
-            inputs_.push_back(stride == 0 ? repeated_[k].data() : data + begin);
-            steps_.push_back(stride == 0 ? 0 : lanes_);
-        }
-        for (float* output : work.outputs)
-            outputs_.push_back(output + begin);
-    }
-
-    /// Whole batches straight from and to the arrays.
-    void run_whole(kernel run, std::size_t count) const {
-        run({inputs_.data(), steps_.data(), outputs_.data(), count});
-    }
-
-    /// The `rest` values after the first `done`, fewer than a batch, through buffers.
-    void run_rest(kernel run, std::size_t done, std::size_t rest) const {
-        std::vector<lane_buffer> in(inputs_.size()), out(outputs_.size());
-        std::vector<const float*> in_at;
-        std::vector<float*> out_at;
-        for (std::size_t k = 0; k < in.size(); ++k) {
-            const float* from = inputs_[k] + (steps_[k] ? done : 0);
-            std::copy_n(from, rest, in[k].begin());
-            std::fill(in[k].begin() + static_cast<std::ptrdiff_t>(rest), in[k].end(), *from);
-            in_at.push_back(in[k].data());
-        }
-        for (lane_buffer& buffer : out)
-            out_at.push_back(buffer.data());
-        run({in_at.data(), steps_.data(), out_at.data(), lanes_});
-        for (std::size_t k = 0; k < out.size(); ++k)
-            std::copy_n(out[k].begin(), rest, outputs_[k] + done);
-    }
-
-private:
-    std::size_t lanes_;
-    std::vector<lane_buffer> repeated_;
-    std::vector<const float*> inputs_;
-    std::vector<std::size_t> steps_;
-    std::vector<float*> outputs_;
-};
-
-void run_range(const job& work, std::size_t begin, std::size_t end) {
-    const kernel_arguments arguments(work, begin);
-    const std::size_t rest = (end - begin) % work.lanes;
-    const std::size_t whole = end - begin - rest;
-    if (whole > 0) arguments.run_whole(work.run, whole);
-    if (rest > 0) arguments.run_rest(work.run, whole, rest);
+[[noreturn]] void refuse_instruction_set(const std::string& what) {
+    std::string allowed;
+    for (const std::string_view name : instruction_sets())
+        allowed += (allowed.empty() ? "" : ", ") + std::string(name);
+    throw bad_input(what + " is not one of " + allowed);
 }
+
+/// The default where the name is empty.
+const instruction_set& instruction_set_named(std::string_view name) {
+    const instruction_set* found = name.empty() ? default_instruction_set() : find_instruction_set(name);
+    if (found) return *found;
+    if (!name.empty()) refuse_instruction_set("instruction set '" + std::string(name) + "'");
+    refuse_instruction_set("instruction set '" + std::string(instruction_set_of_environment()) +
+                           "', from FRESNEL_ISA of the environment,");
+}
+
+// ---- what is wrong with a call ----------------------------------------------------------------------------
+
+std::string message_of(const refusal& refused, quantity wanted, const batch_model& model,
+                       std::span<const batch_argument> parameters, const batch_argument& cos_i) {
+    const bool is_angle = refused.input == parameters.size();
+    const std::string input = is_angle ? "cos_i" : "parameter " + std::to_string(refused.input);
+    const std::string name = "model '" + std::string(model.name) + "'";
+    switch (refused.why) {
+    case refusal::parameter_count:
+        return name + " has " + std::to_string(parameters_of(wanted, model)) + " parameters here, not " +
+               std::to_string(parameters.size());
+    case refusal::null_input:
+        return input + " is null";
+    case refusal::bad_stride:
+        return input + " has stride " +
+               std::to_string(is_angle ? cos_i.stride : parameters[refused.input].stride) +
+               ": must be 0 or 1";
+    case refusal::not_polarised:
+        return name + " is not exact and has no R_s, R_p";
+    case refusal::null_output:
+        return "an output is null";
+    case refusal::none:
+        break;
+    }
+    return "";
+}
+
+// ---- threads ----------------------------------------------------------------------------------------------
+
+#if defined(__STDCPP_THREADS__)
 
 constexpr std::size_t values_per_thread = 65536;
 
@@ -162,105 +78,89 @@ std::size_t thread_count(std::size_t count, unsigned wanted) {
 }
 
 /// Runs the job in equal parts; a part for which the system grants no thread is run by the caller.
-void run_threads(const job& work, std::size_t count, unsigned wanted) {
+void run_threads(const batch_job& job, std::size_t count, unsigned wanted) {
     const std::size_t threads = thread_count(count, wanted);
     const std::size_t part = (count / threads + most_lanes) / most_lanes * most_lanes;
     std::vector<std::jthread> running;
     for (std::size_t begin = part; begin < count; begin += part) {
         const std::size_t end = std::min(begin + part, count);
         try {
-            running.emplace_back([&work, begin, end] { run_range(work, begin, end); });
+            running.emplace_back([&job, begin, end] { run_job(job, begin, end); });
         } catch (const std::system_error&) {
-            run_range(work, begin, end);
+            run_job(job, begin, end);
         }
     }
-    run_range(work, 0, std::min(part, count));
+    run_job(job, 0, std::min(part, count));
 }
 
-// ---- checking ---------------------------------------------------------------------------------------------
+#else // WebAssembly, unless compiled with -pthread
 
-void check_argument(std::string_view what, const batch_argument& argument) {
-    if (!argument.data) throw bad_input(std::string(what) + " is null");
-    if (argument.stride > 1)
-        throw bad_input(std::string(what) + " has stride " + std::to_string(argument.stride) +
-                        ": must be 0 or 1");
-}
+void run_threads(const batch_job& job, std::size_t count, unsigned) { run_job(job, 0, count); }
 
-void check_arguments(const model_place& model, std::size_t channels,
-                     std::span<const batch_argument> parameters, const batch_argument& cos_i,
-                     std::size_t count) {
-    const std::size_t expected = channels * model.parameters;
-    if (parameters.size() != expected)
-        throw bad_input("model '" + std::string(model.name) + "' has " + std::to_string(expected) +
-                        " parameters here, not " + std::to_string(parameters.size()));
-    if (count == 0) return; // no pointer is followed
-    for (std::size_t k = 0; k < parameters.size(); ++k)
-        check_argument("parameter " + std::to_string(k), parameters[k]);
-    check_argument("cos_i", cos_i);
-}
+#endif
 
-const model_kernels& kernels_of(const instruction_set& set, const model_place& model) {
-    return set.kernels()[model.index];
-}
-
-const instruction_set& chosen(const batch_options& options) {
-    return options.instruction_set.empty() ? default_instruction_set()
-                                           : find_instruction_set(options.instruction_set);
-}
-
-void run(kernel run, std::size_t lanes, std::span<const batch_argument> parameters,
-         const batch_argument& cos_i, std::size_t count, std::span<float* const> outputs, unsigned threads) {
-    if (count == 0) return;
-    for (const float* output : outputs)
-        if (!output) throw bad_input("an output is null");
-    job work{{parameters.begin(), parameters.end()}, {outputs.begin(), outputs.end()}, run, lanes};
-    work.inputs.push_back(cos_i);
-    run_threads(work, count, threads);
+void evaluate(quantity wanted, std::string_view model, std::span<const batch_argument> parameters,
+              batch_argument cos_i, std::size_t count, std::span<float* const> outputs,
+              const batch_options& options) {
+    const batch_model& row = model_named(model);
+    const instruction_set& set = instruction_set_named(options.instruction_set);
+    batch_job job;
+    const refusal refused = make_job(wanted, row, set, parameters, cos_i, count, outputs, job);
+    if (refused.why != refusal::none) throw bad_input(message_of(refused, wanted, row, parameters, cos_i));
+    run_threads(job, count, options.threads);
 }
 
 } // namespace
 
 void evaluate_batch(std::string_view model, std::span<const batch_argument> parameters, batch_argument cos_i,
                     std::size_t count, float* R, const batch_options& options) {
-    const model_place place = find_place(model);
-    const instruction_set& set = chosen(options);
-    check_arguments(place, 1, parameters, cos_i, count);
-    run(kernels_of(set, place).reflectance, set.lanes, parameters, cos_i, count, {&R, 1}, options.threads);
+    evaluate(quantity::reflectance, model, parameters, cos_i, count, {&R, 1}, options);
 }
 
 void evaluate_batch_polarised(std::string_view model, std::span<const batch_argument> parameters,
                               batch_argument cos_i, std::size_t count, const batch_polarised& results,
                               const batch_options& options) {
-    const model_place place = find_place(model);
-    const instruction_set& set = chosen(options);
-    check_arguments(place, 1, parameters, cos_i, count);
-    const model_kernels& kernels = kernels_of(set, place);
-    if (!kernels.polarised)
-        throw bad_input("model '" + std::string(model) + "' is not exact and has no R_s, R_p");
     float* const outputs[] = {results.R_s, results.R_p, results.T_s, results.T_p};
-    const bool transmitted = results.T_s || results.T_p;
-    run(transmitted ? kernels.powers : kernels.polarised, set.lanes, parameters, cos_i, count,
-        std::span(outputs).first(transmitted ? 4 : 2), options.threads);
+    evaluate(quantity::polarised, model, parameters, cos_i, count, outputs, options);
 }
 
 void evaluate_batch_rgb(std::string_view model, std::span<const batch_argument> parameters,
                         batch_argument cos_i, std::size_t count, const std::array<float*, 3>& rgb,
                         const batch_options& options) {
-    const model_place place = find_place(model);
-    const instruction_set& set = chosen(options);
-    check_arguments(place, 3, parameters, cos_i, count);
-    run(kernels_of(set, place).rgb, set.lanes, parameters, cos_i, count, rgb, options.threads);
+    evaluate(quantity::rgb, model, parameters, cos_i, count, rgb, options);
+}
+
+void spectral_table(const spectral_index& spectrum, std::span<const float> cos_i,
+                    const std::array<float*, 3>& rgb, std::string_view instruction_set) {
+    const std::size_t wavelengths = spectrum.n_t.size();
+    const auto check = [&](std::string_view what, std::span<const float> values) {
+        if (values.size() != wavelengths)
+            throw bad_input(std::string(what) + " has " + std::to_string(values.size()) +
+                            " wavelengths: must be as many as n_t has, " + std::to_string(wavelengths));
+    };
+    check("k_t", spectrum.k_t);
+    for (const std::span<const float> weights : spectrum.weights)
+        check("weights", weights);
+    const auto& w = spectrum.weights;
+    run_spectral(instruction_set_named(instruction_set), {spectrum.n_t.data(),
+                                                          spectrum.k_t.data(),
+                                                          {w[0].data(), w[1].data(), w[2].data()},
+                                                          wavelengths,
+                                                          spectrum.n_i,
+                                                          cos_i.data(),
+                                                          {rgb[0], rgb[1], rgb[2]},
+                                                          cos_i.size()});
 }
 
 std::vector<std::string_view> instruction_sets() {
     std::vector<std::string_view> names;
-    for (const instruction_set& set : built)
+    for (const instruction_set& set : built_instruction_sets())
         if (set.supported()) names.push_back(set.name);
     return names;
 }
 
 std::string_view choose_instruction_set(std::string_view wanted) {
-    return wanted.empty() ? default_instruction_set().name : find_instruction_set(wanted).name;
+    return instruction_set_named(wanted).name;
 }
 
 } // namespace fresnel

@@ -52,6 +52,22 @@ void evaluate_batch_rgb(std::string_view model, std::span<const batch_argument> 
                         batch_argument cos_i, std::size_t count, const std::array<float*, 3>& rgb,
                         const batch_options& options = {});
 
+/// The spectrum that a spectral table is made of: one value for each wavelength.
+struct spectral_index {
+    std::span<const float> n_t, k_t; ///< of the material
+    std::array<std::span<const float>, 3>
+        weights;   ///< of each channel: what a reflectance of 1 there adds to it
+    float n_i = 1; ///< of the medium outside
+};
+
+/// Reflectance of a material at many angles as three channels, integrated over the spectrum by `conductor`.
+///
+/// cos_i     the angles                    [0, 1], any number
+/// rgb       for each channel as many floats as there are angles
+/// throws    bad_input where the spectrum's arrays differ in length, or the instruction set is unknown
+void spectral_table(const spectral_index& spectrum, std::span<const float> cos_i,
+                    const std::array<float*, 3>& rgb, std::string_view instruction_set = {});
+
 /// The instruction sets that this machine runs, narrowest first: scalar, then sse2, avx2, avx512 or neon or simd128.
 std::vector<std::string_view> instruction_sets();
 

@@ -37,7 +37,7 @@ struct spectral_call {
     float n_i;
     const float* cos_i; ///< for each angle
     float* rgb[3];      ///< for each angle
-    std::size_t angles; ///< a multiple of spectral_lanes
+    std::size_t angles; ///< for a kernel a multiple of its spectral_lanes
 };
 
 /// What is compiled once for each instruction set.

@@ -1,7 +1,7 @@
-# cmake -DFRESNEL=... -DCOMPILER=... -DGENERATOR=... -DWORK=... -P check.cmake
+# cmake -DFRESNEL=... -DBUILT=... -DCOMPILER=... -DC_COMPILER=... -DC_FLAGS=... -DGENERATOR=... -DWORK=... -P check.cmake
 # Installs the headers into a fresh prefix under WORK, then configures, builds and runs the consumer in this
-# folder against that prefix and against the source tree.
-set(generator -G "${GENERATOR}" -DCMAKE_CXX_COMPILER=${COMPILER})
+# folder against that prefix and against the source tree; then the same with all that BUILT installs, and from C.
+set(generator -G "${GENERATOR}" -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_C_COMPILER=${C_COMPILER})
 
 function(run)
     execute_process(COMMAND ${ARGV} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -24,3 +24,8 @@ run(${CMAKE_COMMAND} --build ${WORK}/headers)
 run(${CMAKE_COMMAND} --install ${WORK}/headers)
 build_and_run(installed -DCMAKE_PREFIX_PATH=${WORK}/prefix)
 build_and_run(in_tree -DFRESNEL_SOURCE=${FRESNEL})
+
+run(${CMAKE_COMMAND} --install ${BUILT} --prefix ${WORK}/prefix_of_all)
+build_and_run(installed_all -DCMAKE_PREFIX_PATH=${WORK}/prefix_of_all
+    "-DCMAKE_C_FLAGS=${C_FLAGS}" "-DCMAKE_CXX_FLAGS=${C_FLAGS}")
+run(${WORK}/installed_all/c_consumer)

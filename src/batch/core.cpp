@@ -1,0 +1,236 @@
+#include "batch/core.hpp"
+
+#include <atomic>
+#include <cstdlib>
+#include <utility>
+
+namespace fresnel {
+
+// ---- models -----------------------------------------------------------------------------------------------
+
+namespace {
+
+template <std::size_t... i>
+struct rows_of {
+    static constexpr batch_model rows[] = {{std::get<i>(registry).name,
+                                            std::get<i>(registry).parameters.data(),
+                                            std::get<i>(registry).parameters.size()}...};
+};
+
+template <std::size_t... i>
+constexpr std::span<const batch_model> all_rows(std::index_sequence<i...>) {
+    return rows_of<i...>::rows;
+}
+
+constexpr std::size_t model_count = std::tuple_size_v<decltype(registry)>;
+
+} // namespace
+
+std::span<const batch_model> batch_models() noexcept {
+    return all_rows(std::make_index_sequence<model_count>{});
+}
+
+const batch_model* find_batch_model(std::string_view name) noexcept {
+    for (const batch_model& row : batch_models())
+        if (row.name == name) return &row;
+    return nullptr;
+}
+
+// ---- instruction sets -------------------------------------------------------------------------------------
+
+namespace {
+
+constexpr auto always = [] { return true; };
+
+constexpr instruction_set built[] = {
+    {"scalar", always, scalar_kernels},
+#if defined(__x86_64__)
+    {"sse2", always, sse2_kernels},
+    {"avx2", [] { return __builtin_cpu_supports("avx2") != 0; }, avx2_kernels},
+    {"avx512",
+     [] {
+         return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+                __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
+     },
+     avx512_kernels},
+#elif defined(__aarch64__)
+    {"neon", always, neon_kernels},
+#elif defined(__wasm__)
+    {"simd128", always, simd128_kernels},
+#endif
+};
+
+} // namespace
+
+std::span<const instruction_set> built_instruction_sets() noexcept { return built; }
+
+const instruction_set* find_instruction_set(std::string_view name) noexcept {
+    const instruction_set* widest = nullptr;
+    for (const instruction_set& set : built) {
+        if (!set.supported()) continue;
+        if (set.name == name) return &set;
+        widest = &set;
+    }
+    return name.empty() ? widest : nullptr;
+}
+
+std::string_view instruction_set_of_environment() noexcept {
+    const char* name = std::getenv("FRESNEL_ISA");
+    return name ? name : "";
+}
+
+const instruction_set* default_instruction_set() noexcept {
+    // threads that come here at once find the same one
+    static std::atomic<const instruction_set*> found = nullptr;
+    const instruction_set* set = found.load(std::memory_order_relaxed);
+    if (set) return set;
+    set = find_instruction_set(instruction_set_of_environment());
+    found.store(set, std::memory_order_relaxed);
+    return set;
+}
+
+// ---- the check of a call ----------------------------------------------------------------------------------
+
+namespace {
+
+/// The kernel for what is wanted, null where the model has none, and how many of the outputs it writes.
+std::pair<kernel, std::size_t> find_kernel(quantity wanted, const model_kernels& model,
+                                           std::span<float* const> outputs) {
+    switch (wanted) {
+    case quantity::reflectance:
+        return {model.reflectance, 1};
+    case quantity::rgb:
+        return {model.rgb, 3};
+    case quantity::polarised:
+        break;
+    }
+    const bool transmitted = outputs[2] || outputs[3];
+    return transmitted ? std::pair{model.powers, 4} : std::pair{model.polarised, 2};
+}
+
+} // namespace
+
+std::size_t parameters_of(quantity wanted, const batch_model& model) noexcept {
+    return (wanted == quantity::rgb ? 3 : 1) * model.parameter_count;
+}
+
+refusal check_inputs(std::span<const batch_argument> inputs) noexcept {
+    std::size_t k = 0;
+    for (const auto& [data, stride] : inputs) {
+        if (!data) return {refusal::null_input, k};
+        if (stride > 1) return {refusal::bad_stride, k};
+        ++k;
+    }
+    return {};
+}
+
+refusal make_job(quantity wanted, const batch_model& model, const instruction_set& set,
+                 std::span<const batch_argument> parameters, batch_argument cos_i, std::size_t count,
+                 std::span<float* const> outputs, batch_job& job) noexcept {
+    if (parameters.size() != parameters_of(wanted, model)) return {refusal::parameter_count};
+    const std::ptrdiff_t index = &model - batch_models().data();
+    const kernel_table kernels = set.kernels();
+    const auto [run, output_count] = find_kernel(wanted, kernels.models[index], outputs);
+    if (!run) return {refusal::not_polarised};
+
+    job.run = run;
+    job.lanes = kernels.lanes;
+    job.input_count = parameters.size() + 1;
+    job.output_count = output_count;
+    std::copy(parameters.begin(), parameters.end(), job.inputs);
+    job.inputs[parameters.size()] = cos_i;
+    std::copy_n(outputs.begin(), output_count, job.outputs);
+
+    if (count == 0) return {};
+    const refusal refused = check_inputs({job.inputs, job.input_count});
+    if (refused.why != refusal::none) return refused;
+    const bool complete = std::none_of(job.outputs, job.outputs + output_count, [](float* p) { return !p; });
+    return {complete ? refusal::none : refusal::null_output};
+}
+
+// ---- running ----------------------------------------------------------------------------------------------
+
+namespace {
+
+/// One batch's worth of floats, for values that have to be repeated or cut off.
+struct lane_buffer {
+    float lane[most_lanes];
+};
+
+/// The pointers and steps of a job from value `begin` on. Single values are repeated in buffers of their own.
+class kernel_arguments {
+public:
+    kernel_arguments(const batch_job& job, std::size_t begin) : job_(job) {
+        for (std::size_t k = 0; k < job.input_count; ++k) {
+            const auto [data, stride] = job.inputs[k];
+            if (stride == 0) std::fill_n(repeated_[k].lane, most_lanes, *data);
+            inputs_[k] = stride == 0 ? repeated_[k].lane : data + begin;
+            steps_[k] = stride;
+        }
+        for (std::size_t k = 0; k < job.output_count; ++k)
+            outputs_[k] = job.outputs[k] + begin;
+    }
+
+    /// Whole batches straight from and to the arrays.
+    void run_whole(std::size_t count) const { job_.run({inputs_, steps_, outputs_, count}); }
+
+    /// The `rest` values after the first `done`, fewer than a batch, through buffers.
+    void run_rest(std::size_t done, std::size_t rest) const {
+        lane_buffer in[most_inputs], out[most_outputs];
+        const float* in_at[most_inputs];
+        float* out_at[most_outputs];
+        for (std::size_t k = 0; k < job_.input_count; ++k) {
+            const float* from = inputs_[k] + (steps_[k] ? done : 0);
+            std::copy_n(from, rest, in[k].lane);
+            std::fill(in[k].lane + rest, in[k].lane + most_lanes, *from);
+            in_at[k] = in[k].lane;
+        }
+        for (std::size_t k = 0; k < job_.output_count; ++k)
+            out_at[k] = out[k].lane;
+        job_.run({in_at, steps_, out_at, job_.lanes});
+        for (std::size_t k = 0; k < job_.output_count; ++k)
+            std::copy_n(out[k].lane, rest, outputs_[k] + done);
+    }
+
+private:
+    const batch_job& job_;
+    lane_buffer repeated_[most_inputs];
+    const float* inputs_[most_inputs];
+    std::size_t steps_[most_inputs];
+    float* outputs_[most_outputs];
+};
+
+} // namespace
+
+void run_spectral(const instruction_set& set, const spectral_call& call) noexcept {
+    const kernel_table kernels = set.kernels();
+    spectral_call whole = call;
+    whole.angles = call.angles / kernels.spectral_lanes * kernels.spectral_lanes;
+    kernels.spectral(whole);
+    const std::size_t rest = call.angles - whole.angles;
+    if (rest == 0) return;
+
+    // the angles left over, through buffers
+    lane_buffer cos_i, out[3];
+    std::copy_n(call.cos_i + whole.angles, rest, cos_i.lane);
+    std::fill(cos_i.lane + rest, cos_i.lane + most_lanes, 1.0f);
+    spectral_call last = call;
+    last.cos_i = cos_i.lane;
+    last.angles = kernels.spectral_lanes;
+    for (int channel = 0; channel < 3; ++channel)
+        last.rgb[channel] = out[channel].lane;
+    kernels.spectral(last);
+    for (int channel = 0; channel < 3; ++channel)
+        std::copy_n(out[channel].lane, rest, call.rgb[channel] + whole.angles);
+}
+
+void run_job(const batch_job& job, std::size_t begin, std::size_t end) noexcept {
+    if (begin == end) return; // the pointers may be null
+    const kernel_arguments arguments(job, begin);
+    const std::size_t rest = (end - begin) & (job.lanes - 1); // the lanes are a power of two
+    const std::size_t whole = end - begin - rest;
+    if (whole > 0) arguments.run_whole(whole);
+    if (rest > 0) arguments.run_rest(whole, rest);
+}
+
+} // namespace fresnel
