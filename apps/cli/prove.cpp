@@ -51,7 +51,7 @@ void run(const options& given) {
     for (const std::string& name : given.models)
         find_model<double>(name);
     if (given.models.empty() && isatty(STDERR_FILENO) != 0)
-        fmt::print(stderr, "prove: every model, about half a minute\n");
+        fmt::print(stderr, "prove: every model, about ten seconds\n");
     std::vector<certificate> all;
     if (given.models.empty()) all = prove_all();
     for (const std::string& name : given.models)

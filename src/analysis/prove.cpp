@@ -1,5 +1,6 @@
 #include "analysis/prove.hpp"
 
+#include "analysis/conductor_enclosure.hpp"
 #include "analysis/fit.hpp"
 #include "analysis/measure.hpp"
 #include "analysis/multi.hpp"
@@ -122,7 +123,11 @@ maximum<D> largest_over(const F& f, const box<D>& whole, double width, double fl
     return best;
 }
 
-constexpr double enclosure_width = 5e-5, relative_width = 1e-3;
+/// How narrow an enclosure is to be, of the absolute and of the relative error.
+struct narrowness {
+    double absolute, relative;
+};
+constexpr narrowness one_domain{5e-6, 1e-4}, every_metal{5e-5, 1e-3};
 
 // ---- the domains ------------------------------------------------------------------------------------------
 
@@ -140,20 +145,15 @@ T exact_dielectric(T eta, T c) {
     return dielectric_fast(T(1), eta, c).reflectance();
 }
 
-template <class T>
-T exact_conductor(T n, T k, T c) {
-    return conductor_fast(T(1), n, k, c).reflectance();
-}
-
 template <std::size_t D, class Model, class Exact>
 certificate certify(const Model& model, const Exact& exact, const box<D>& where,
                     const std::array<const char*, D>& names) {
     const auto error = [&](const auto& x) { return model(x) - exact(x); };
-    const auto relative = [&](const auto& x) { return (model(x) - exact(x)) / exact(x); };
-    const maximum<D> absolute = largest_over(error, where, enclosure_width);
+    const auto relative = [&](const auto& x) { return model(x) / exact(x) - 1; };
+    const maximum<D> absolute = largest_over(error, where, one_domain.absolute);
     certificate result{};
     result.absolute = absolute.value, result.proved = true;
-    result.relative = largest_over(relative, where, relative_width).value;
+    result.relative = largest_over(relative, where, one_domain.relative).value;
     for (std::size_t i = 0; i < D; ++i)
         result.at.emplace_back(names[i], absolute.at[i]);
     return result;
@@ -180,6 +180,13 @@ T constant_of(double value) {
         return T::constant(interval(value));
 }
 
+template <class Row>
+certificate over_indices(const Row& row) {
+    return certify<3>([&](const auto& x) { return reflectance(evaluate(row, std::array{x[0], x[1]}, x[2])); },
+                      [](const auto& x) { return conductor_over(x[0], x[1], x[2]); },
+                      {interval::between(0.1, 4), interval::between(1, 8), any_cosine}, {"n", "k", "cos_i"});
+}
+
 /// Schlick from inside by the cosine outside. R(theta_i, eta) = R(theta_t, 1 / eta), f0 is the same from either side,
 /// and beyond the critical angle model and exact are both 1: the error is that of `schlick` at cos_t.
 certificate over_internal_gems() {
@@ -204,18 +211,19 @@ certificate over_metals(const Row& row) {
         };
         const auto exact = [&](const auto& x) {
             using T = std::remove_cvref_t<decltype(x[0])>;
-            return exact_conductor(constant_of<T>(metal.index.n), constant_of<T>(metal.index.k), x[0]);
+            return conductor_over(constant_of<T>(metal.index.n), constant_of<T>(metal.index.k), x[0]);
         };
         const auto error = [&](const auto& x) { return model(x) - exact(x); };
-        const auto relative = [&](const auto& x) { return (model(x) - exact(x)) / exact(x); };
-        const maximum<1> here = largest_over<1>(error, {any_cosine}, enclosure_width, result.absolute.lo);
+        const auto relative = [&](const auto& x) { return model(x) / exact(x) - 1; };
+        const maximum<1> here =
+            largest_over<1>(error, {any_cosine}, every_metal.absolute, result.absolute.lo);
         result.absolute.hi = std::max(result.absolute.hi, here.value.hi);
         if (here.value.lo > result.absolute.lo) {
             result.absolute.lo = here.value.lo;
             result.at = {{"cos_i", here.at[0]}};
             result.material = fmt::format("{} at {:.0f} nm", metal.name, metal.wavelength_nm);
         }
-        const certified r = largest_over<1>(relative, {any_cosine}, relative_width, relative_lo).value;
+        const certified r = largest_over<1>(relative, {any_cosine}, every_metal.relative, relative_lo).value;
         relative_lo = std::max(relative_lo, r.lo), relative_hi = std::max(relative_hi, r.hi);
     }
     result.relative = certified{relative_lo, relative_hi}, result.proved = true;
@@ -259,6 +267,8 @@ certificate certify_row(const Row& row) {
     if (row.error.over == row::inside_gems) result = over_internal_gems();
     if constexpr (N <= 2)
         if (row.error.over == row::gems) result = over_gems(row);
+    if constexpr (N == 2)
+        if (row.error.over == row::box) result = over_indices(row);
     if constexpr (N >= 2)
         if (row.error.over == row::metals) result = over_metals(row);
     if (!result.proved)
@@ -271,7 +281,7 @@ certificate certify_row(const Row& row) {
 } // namespace
 
 bool can_prove(std::string_view over) {
-    return over == row::gems || over == row::inside_gems || over == row::metals;
+    return over == row::gems || over == row::inside_gems || over == row::box || over == row::metals;
 }
 
 certificate prove(std::string_view model) {
