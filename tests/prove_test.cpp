@@ -134,17 +134,33 @@ TEST(prove, measures_the_rounding_of_float32) {
     EXPECT_LT(prove("conductor_precise").rounding_float32, 1e-6);
 }
 
+TEST(prove, bounds_the_rounding_of_models_without_comparisons) {
+    for (const char* name : {"schlick", "schlick_f90", "schlick_nk", "photometric", "powers_4_8",
+                             "powers_3_9", "one_minus_cos", "air_conductor"}) {
+        const certificate c = prove(name);
+        ASSERT_TRUE(c.rounding_bound.has_value()) << name;
+        EXPECT_LE(c.rounding_float32, *c.rounding_bound) << name;
+        EXPECT_LE(*c.rounding_bound, 4 * c.rounding_float32) << name;
+    }
+    EXPECT_NEAR(*prove("one_minus_cos").rounding_bound / 0x1p-25, 1, 1e-9) << "half a unit of the last place";
+    EXPECT_EQ(*prove("constant").rounding_bound, 0);
+    for (const char* name : {"schlick_power", "spherical_gaussian", "powers_3_6_9", "bias_scale_power"})
+        EXPECT_LE(*prove(name).rounding_bound, 1e-5) << name; // powers and roots, whose slopes have no bound
+    EXPECT_FALSE(prove("dielectric").rounding_bound.has_value());
+}
+
 class prove_command : public test::command_test {};
 
 TEST_F(prove_command, prints_its_keys) {
     const auto all = json("prove schlick dielectric --json");
     ASSERT_EQ(all.size(), 2u);
     for (const auto& one : all)
-        for (const char* key :
-             {"model", "domain", "absolute", "relative", "at", "rounding_float32", "proved"})
+        for (const char* key : {"model", "domain", "absolute", "relative", "at", "rounding_float32",
+                                "rounding_bound", "proved"})
             EXPECT_TRUE(one.contains(key)) << key;
     EXPECT_EQ(all[0]["proved"], true);
     EXPECT_TRUE(all[1]["relative"].is_null());
+    EXPECT_TRUE(all[1]["rounding_bound"].is_null());
     expect_refused("prove schlik", {"schlik", "schlick"});
 }
 

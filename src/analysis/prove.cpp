@@ -8,6 +8,7 @@
 #include <fresnel/models.hpp>
 #include <fresnel/types/dual.hpp>
 #include <fresnel/types/interval.hpp>
+#include <fresnel/types/rounding.hpp>
 
 #include <fmt/format.h>
 
@@ -232,9 +233,14 @@ certificate over_metals(const Row& row) {
 
 // ---- rounding ---------------------------------------------------------------------------------------------
 
+/// Arguments of moderate size, beside the default.
+interval moderate(const parameter& p) {
+    return interval::between(std::max(p.min, p.max > 10 ? 0.1 : p.min), std::min(p.max, 10.0));
+}
+
 double draw(const parameter& p, std::mt19937_64& generator) {
     std::uniform_real_distribution<double> unit(0, 1);
-    const double lo = std::max(p.min, p.max > 10 ? 0.1 : p.min), hi = std::min(p.max, 10.0);
+    const auto [lo, hi] = moderate(p);
     if (unit(generator) < 0.1) return p.default_value;
     return p.max > 10 ? lo * std::exp(unit(generator) * std::log(hi / lo)) : lo + (hi - lo) * unit(generator);
 }
@@ -260,6 +266,57 @@ double rounding_of(const Row& row) {
     return worst;
 }
 
+/// The largest `bound` over a box, after so many halvings of the box where it is largest, each where it helps most.
+template <std::size_t D, class F>
+double bound_over(const F& bound, const box<D>& whole, int halvings) {
+    struct part {
+        box<D> b;
+        double upper;
+        bool operator<(const part& other) const { return upper < other.upper; }
+    };
+    std::priority_queue<part> open;
+    open.push({whole, bound(whole)});
+    for (int h = 0; h < halvings; ++h) {
+        const part worst = open.top();
+        open.pop();
+        std::array<part, 2> best{worst, worst};
+        std::pair<double, double> best_score{std::numeric_limits<double>::infinity(), 0};
+        for (std::size_t i = 0; i < D; ++i) {
+            std::array<part, 2> halves{worst, worst};
+            halves[0].b[i].hi = halves[1].b[i].lo = worst.b[i].middle();
+            for (part& half : halves)
+                half.upper = bound(half.b);
+            const std::pair score{std::max(halves[0].upper, halves[1].upper),
+                                  -worst.b[i].width() / whole[i].width()};
+            if (score < best_score) best_score = score, best = halves;
+        }
+        for (const part& half : best)
+            open.push(half);
+    }
+    return open.top().upper;
+}
+
+/// What |float32 - real| never exceeds for the arguments of `rounding_of`; none for models with comparisons.
+template <class Row>
+std::optional<double> rounding_bound_of(const Row& row) {
+    constexpr std::size_t N = std::tuple_size_v<decltype(row.parameters)>;
+    box<N + 1> whole;
+    for (std::size_t p = 0; p < N; ++p)
+        whole[p] = hull(moderate(row.parameters[p]), interval(row.parameters[p].default_value));
+    whole[N] = any_cosine;
+    const auto bound = [&](const box<N + 1>& b) {
+        std::array<rounding, N> values;
+        for (std::size_t p = 0; p < N; ++p)
+            values[p] = rounding(b[p].lo, b[p].hi);
+        return reflectance(evaluate(row, values, rounding(b[N].lo, b[N].hi))).error;
+    };
+    try {
+        return bound_over(bound, whole, 3000);
+    } catch (const rounding::undecided&) {
+        return std::nullopt;
+    }
+}
+
 template <class Row>
 certificate certify_row(const Row& row) {
     constexpr std::size_t N = std::tuple_size_v<decltype(row.parameters)>;
@@ -274,7 +331,7 @@ certificate certify_row(const Row& row) {
     if (!result.proved)
         result.absolute = {row.error.max, row.error.max}; // as the registry's test measures it
     result.model = row.name, result.domain = row.error.over;
-    result.rounding_float32 = rounding_of(row);
+    result.rounding_float32 = rounding_of(row), result.rounding_bound = rounding_bound_of(row);
     return result;
 }
 
