@@ -1,6 +1,7 @@
 #include "inputs.hpp"
 #include "tolerances.hpp"
 
+#include "analysis/conductor_enclosure.hpp"
 #include "analysis/multi.hpp"
 
 #include <fresnel/models.hpp>
@@ -133,6 +134,67 @@ TEST(enclose, of_a_dual_gives_slopes_that_hold) {
                     [&](const number& one) { slope = one.d[0]; });
     for (const double at : {0.4, 0.405, 0.41})
         EXPECT_TRUE(slope.contains(-5 * 0.96 * std::pow(1 - at, 4))) << at;
+}
+
+// ---- the conductor over boxes -----------------------------------------------------------------------------
+
+/// A random box of n, k and cos_i, of any size, as in `fresnel prove`; one in four touches cos_i = 0.
+std::array<interval, 3> draw_box(random_numbers& random) {
+    const double n = random.uniform(0.1, 4), k = random.uniform(1, 8), size = random.log_uniform(1e-6, 1);
+    const double c = random.one_in(4) ? 0 : random.uniform(0, 1);
+    return {interval::between(n, n + size), interval::between(k, k + size),
+            interval::between(c, std::min(c + size, 1.0))};
+}
+
+TEST(conductor_over, holds_the_values_and_the_slopes_of_conductor) {
+    using number = dual<interval, 3>;
+    using real = dual<real50, 3>;
+    random_numbers random(5);
+    for (int i = 0; i < 3000 / thinning; ++i) {
+        std::array<number, 3> x;
+        std::array<real, 3> at;
+        const std::array<interval, 3> box = draw_box(random);
+        for (int p = 0; p < 3; ++p) {
+            const auto j = static_cast<std::size_t>(p);
+            x[j] = number::variable(box[j], p);
+            at[j] = real::variable(real50(inside(box[j], random)), p);
+        }
+        const real truth = conductor(real(1), at[0], at[1], at[2]).reflectance();
+        const number over = conductor_over(x[0], x[1], x[2]);
+        EXPECT_TRUE(holds(over.value, truth.value)) << digits(truth.value);
+        EXPECT_TRUE(holds(conductor_over(box[0], box[1], box[2]), truth.value)) << digits(truth.value);
+        for (std::size_t j = 0; j < 3; ++j)
+            EXPECT_TRUE(holds(over.d[j], truth.d[j])) << "slope " << j << " " << digits(truth.d[j]);
+    }
+}
+
+TEST(conductor_over, of_single_numbers_is_as_narrow_as_conductor_and_overlaps_it) {
+    random_numbers random(6);
+    for (int i = 0; i < 3000 / thinning; ++i) {
+        const interval n(random.uniform(0.1, 4)), k(random.uniform(1, 8)), c(random.uniform(0, 1));
+        const interval R = conductor_over(n, k, c);
+        const interval same = enclose([&] { return conductor(interval(1), n, k, c).reflectance(); });
+        EXPECT_LT(R.width(), 1e-13);
+        EXPECT_TRUE(overlap(R, same));
+    }
+}
+
+TEST(root_over, has_exact_ranges) {
+    random_numbers random(7);
+    for (int i = 0; i < 3000 / thinning; ++i) {
+        const auto [n, k, c] = draw_box(random);
+        const complex_root<interval> q = root_over(n, k, c);
+        const auto least = refract_complex(1.0, n.lo, k.lo, c.lo),
+                   most = refract_complex(1.0, n.hi, k.hi, c.hi);
+        EXPECT_NEAR(q.a.lo, least.a, 1e-13);
+        EXPECT_NEAR(q.a.hi, most.a, 1e-13);
+        for (int j = 0; j < 10; ++j) {
+            const auto inner = refract_complex(real50(1), real50(inside(n, random)),
+                                               real50(inside(k, random)), real50(inside(c, random)));
+            EXPECT_TRUE(holds(q.a, inner.a));
+            EXPECT_TRUE(holds(q.b, inner.b));
+        }
+    }
 }
 
 } // namespace

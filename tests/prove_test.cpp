@@ -8,8 +8,10 @@
 
 #include <fresnel/approx.hpp>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace {
@@ -23,7 +25,7 @@ class proofs_over_the_index : public testing::TestWithParam<const char*> {};
 TEST_P(proofs_over_the_index, hold_the_registrys_error_in_a_narrow_enclosure) {
     const certificate c = prove(GetParam());
     EXPECT_TRUE(c.proved);
-    EXPECT_LE(c.absolute.hi - c.absolute.lo, 1e-4);
+    EXPECT_LE(c.absolute.hi - c.absolute.lo, 5e-6);
     // the registry prints three digits of a number that a grid finds
     EXPECT_NEAR(find_model<double>(c.model).error.max, c.absolute.hi, 0.006 * c.absolute.hi);
     EXPECT_LE(c.relative->lo, c.relative->hi);
@@ -55,6 +57,36 @@ TEST(prove, is_never_exceeded_on_a_dense_grid) {
         EXPECT_LE(schlick_relative_error(eta).size(), c.relative->hi) << eta;
     }
 }
+
+// ---- n and k ----------------------------------------------------------------------------------------------
+
+class proofs_over_n_and_k : public testing::TestWithParam<const char*> {};
+
+TEST_P(proofs_over_n_and_k, hold_the_registrys_three_digits_attained_and_never_exceeded) {
+    const certificate c = prove(GetParam());
+    EXPECT_TRUE(c.proved);
+    EXPECT_LE(c.absolute.hi - c.absolute.lo, 5e-6);
+    EXPECT_LE(c.relative->hi - c.relative->lo, 1e-4);
+    const model_row<double>& row = find_model<double>(c.model);
+    for (const double bound : {c.absolute.lo, c.absolute.hi})
+        EXPECT_EQ(fmt::format("{:.3g}", bound), fmt::format("{:.3g}", row.error.max));
+
+    const auto exact = [](const auto& x) { return conductor(1.0, x[0], x[1], x[2]).reflectance(); };
+    const auto error = [&](const auto& x) {
+        return std::abs(row.evaluate(x.data(), x[2]).reflectance() - exact(x));
+    };
+    ASSERT_EQ(c.at.size(), 3u);
+    EXPECT_NEAR(error(std::array{c.at[0].second, c.at[1].second, c.at[2].second}), c.absolute.lo, 1e-12);
+    for (int i = 0; i <= 39; ++i)
+        for (int j = 0; j <= 35; ++j)
+            for (int l = 0; l <= 50; ++l) {
+                const std::array x = {0.1 + 0.1 * i, 1 + 0.2 * j, 0.02 * l};
+                ASSERT_LE(error(x), c.absolute.hi) << x[0] << " " << x[1] << " " << x[2];
+                ASSERT_LE(error(x) / exact(x), c.relative->hi) << x[0] << " " << x[1] << " " << x[2];
+            }
+}
+
+INSTANTIATE_TEST_SUITE_P(models, proofs_over_n_and_k, testing::Values("schlick_nk", "air_conductor"));
 
 // ---- fitted models ----------------------------------------------------------------------------------------
 
@@ -89,7 +121,7 @@ TEST(prove, of_schlick_inside_is_that_of_schlick_outside) {
 }
 
 TEST(prove, says_where_a_bound_is_measured_only) {
-    for (const char* name : {"dielectric", "conductor_precise", "air_conductor", "schlick_nk"}) {
+    for (const char* name : {"dielectric", "conductor_fast", "conductor_precise"}) {
         const certificate c = prove(name);
         EXPECT_FALSE(c.proved) << name;
         EXPECT_EQ(c.absolute.hi, find_model<double>(name).error.max);
@@ -102,17 +134,33 @@ TEST(prove, measures_the_rounding_of_float32) {
     EXPECT_LT(prove("conductor_precise").rounding_float32, 1e-6);
 }
 
+TEST(prove, bounds_the_rounding_of_models_without_comparisons) {
+    for (const char* name : {"schlick", "schlick_f90", "schlick_nk", "photometric", "powers_4_8",
+                             "powers_3_9", "one_minus_cos", "air_conductor"}) {
+        const certificate c = prove(name);
+        ASSERT_TRUE(c.rounding_bound.has_value()) << name;
+        EXPECT_LE(c.rounding_float32, *c.rounding_bound) << name;
+        EXPECT_LE(*c.rounding_bound, 4 * c.rounding_float32) << name;
+    }
+    EXPECT_NEAR(*prove("one_minus_cos").rounding_bound / 0x1p-25, 1, 1e-9) << "half a unit of the last place";
+    EXPECT_EQ(*prove("constant").rounding_bound, 0);
+    for (const char* name : {"schlick_power", "spherical_gaussian", "powers_3_6_9", "bias_scale_power"})
+        EXPECT_LE(*prove(name).rounding_bound, 1e-5) << name; // powers and roots, whose slopes have no bound
+    EXPECT_FALSE(prove("dielectric").rounding_bound.has_value());
+}
+
 class prove_command : public test::command_test {};
 
 TEST_F(prove_command, prints_its_keys) {
     const auto all = json("prove schlick dielectric --json");
     ASSERT_EQ(all.size(), 2u);
     for (const auto& one : all)
-        for (const char* key :
-             {"model", "domain", "absolute", "relative", "at", "rounding_float32", "proved"})
+        for (const char* key : {"model", "domain", "absolute", "relative", "at", "rounding_float32",
+                                "rounding_bound", "proved"})
             EXPECT_TRUE(one.contains(key)) << key;
     EXPECT_EQ(all[0]["proved"], true);
     EXPECT_TRUE(all[1]["relative"].is_null());
+    EXPECT_TRUE(all[1]["rounding_bound"].is_null());
     expect_refused("prove schlik", {"schlik", "schlick"});
 }
 

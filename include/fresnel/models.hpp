@@ -27,8 +27,8 @@ struct parameter {
     bool neutral = false;
 };
 
-/// Largest |model - exact|, to three digits, and what it was taken over. A test measures it on a grid; but over a
-/// box of n and k, `fresnel prove` certifies it as well.
+/// Largest |model - exact|, to three digits, and what it was taken over. `fresnel prove` certifies it, and a test
+/// measures it on a grid; of exact models, whose error is rounding, it is measured only.
 struct model_error {
     double max;
     std::string_view over;
@@ -239,7 +239,7 @@ inline constexpr auto registry = std::tuple{
           std::array{row::n, row::k},
           "Pharr and Humphreys, Physically Based Rendering; Lagarde 2013",
           row::any_angle,
-          {0.0635, row::box},
+          {0.0638, row::box},
           [](auto... x) { return air_conductor(x...); }},
     model{"lazanyi",
           model_kind::approximation,
@@ -263,7 +263,7 @@ inline constexpr auto registry = std::tuple{
           std::array{row::f0, row::f82},
           "Hoffman 2019, Fresnel Equations Considered Harmful",
           row::any_angle,
-          {0.0516, row::metals},
+          {0.0517, row::metals},
           [](auto... x) { return f82(x...); }},
     model{"f82_tint",
           model_kind::approximation,
@@ -271,7 +271,7 @@ inline constexpr auto registry = std::tuple{
           std::array{row::f0, parameter{"tint", "1", 0, 1, 1, true}},
           "Kutz, Hasan and Edmondson 2021, Novel aspects of the Adobe Standard Material",
           row::any_angle,
-          {0.0516, row::metals},
+          {0.0517, row::metals},
           [](auto... x) { return f82_tint(x...); }},
     model{"hoffman",
           model_kind::approximation,

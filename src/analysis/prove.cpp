@@ -1,5 +1,6 @@
 #include "analysis/prove.hpp"
 
+#include "analysis/conductor_enclosure.hpp"
 #include "analysis/fit.hpp"
 #include "analysis/measure.hpp"
 #include "analysis/multi.hpp"
@@ -7,6 +8,7 @@
 #include <fresnel/models.hpp>
 #include <fresnel/types/dual.hpp>
 #include <fresnel/types/interval.hpp>
+#include <fresnel/types/rounding.hpp>
 
 #include <fmt/format.h>
 
@@ -122,7 +124,11 @@ maximum<D> largest_over(const F& f, const box<D>& whole, double width, double fl
     return best;
 }
 
-constexpr double enclosure_width = 5e-5, relative_width = 1e-3;
+/// How narrow an enclosure is to be, of the absolute and of the relative error.
+struct narrowness {
+    double absolute, relative;
+};
+constexpr narrowness one_domain{5e-6, 1e-4}, every_metal{5e-5, 1e-3};
 
 // ---- the domains ------------------------------------------------------------------------------------------
 
@@ -140,20 +146,15 @@ T exact_dielectric(T eta, T c) {
     return dielectric_fast(T(1), eta, c).reflectance();
 }
 
-template <class T>
-T exact_conductor(T n, T k, T c) {
-    return conductor_fast(T(1), n, k, c).reflectance();
-}
-
 template <std::size_t D, class Model, class Exact>
 certificate certify(const Model& model, const Exact& exact, const box<D>& where,
                     const std::array<const char*, D>& names) {
     const auto error = [&](const auto& x) { return model(x) - exact(x); };
-    const auto relative = [&](const auto& x) { return (model(x) - exact(x)) / exact(x); };
-    const maximum<D> absolute = largest_over(error, where, enclosure_width);
+    const auto relative = [&](const auto& x) { return model(x) / exact(x) - 1; };
+    const maximum<D> absolute = largest_over(error, where, one_domain.absolute);
     certificate result{};
     result.absolute = absolute.value, result.proved = true;
-    result.relative = largest_over(relative, where, relative_width).value;
+    result.relative = largest_over(relative, where, one_domain.relative).value;
     for (std::size_t i = 0; i < D; ++i)
         result.at.emplace_back(names[i], absolute.at[i]);
     return result;
@@ -180,6 +181,13 @@ T constant_of(double value) {
         return T::constant(interval(value));
 }
 
+template <class Row>
+certificate over_indices(const Row& row) {
+    return certify<3>([&](const auto& x) { return reflectance(evaluate(row, std::array{x[0], x[1]}, x[2])); },
+                      [](const auto& x) { return conductor_over(x[0], x[1], x[2]); },
+                      {interval::between(0.1, 4), interval::between(1, 8), any_cosine}, {"n", "k", "cos_i"});
+}
+
 /// Schlick from inside by the cosine outside. R(theta_i, eta) = R(theta_t, 1 / eta), f0 is the same from either side,
 /// and beyond the critical angle model and exact are both 1: the error is that of `schlick` at cos_t.
 certificate over_internal_gems() {
@@ -204,18 +212,19 @@ certificate over_metals(const Row& row) {
         };
         const auto exact = [&](const auto& x) {
             using T = std::remove_cvref_t<decltype(x[0])>;
-            return exact_conductor(constant_of<T>(metal.index.n), constant_of<T>(metal.index.k), x[0]);
+            return conductor_over(constant_of<T>(metal.index.n), constant_of<T>(metal.index.k), x[0]);
         };
         const auto error = [&](const auto& x) { return model(x) - exact(x); };
-        const auto relative = [&](const auto& x) { return (model(x) - exact(x)) / exact(x); };
-        const maximum<1> here = largest_over<1>(error, {any_cosine}, enclosure_width, result.absolute.lo);
+        const auto relative = [&](const auto& x) { return model(x) / exact(x) - 1; };
+        const maximum<1> here =
+            largest_over<1>(error, {any_cosine}, every_metal.absolute, result.absolute.lo);
         result.absolute.hi = std::max(result.absolute.hi, here.value.hi);
         if (here.value.lo > result.absolute.lo) {
             result.absolute.lo = here.value.lo;
             result.at = {{"cos_i", here.at[0]}};
             result.material = fmt::format("{} at {:.0f} nm", metal.name, metal.wavelength_nm);
         }
-        const certified r = largest_over<1>(relative, {any_cosine}, relative_width, relative_lo).value;
+        const certified r = largest_over<1>(relative, {any_cosine}, every_metal.relative, relative_lo).value;
         relative_lo = std::max(relative_lo, r.lo), relative_hi = std::max(relative_hi, r.hi);
     }
     result.relative = certified{relative_lo, relative_hi}, result.proved = true;
@@ -224,9 +233,14 @@ certificate over_metals(const Row& row) {
 
 // ---- rounding ---------------------------------------------------------------------------------------------
 
+/// Arguments of moderate size, beside the default.
+interval moderate(const parameter& p) {
+    return interval::between(std::max(p.min, p.max > 10 ? 0.1 : p.min), std::min(p.max, 10.0));
+}
+
 double draw(const parameter& p, std::mt19937_64& generator) {
     std::uniform_real_distribution<double> unit(0, 1);
-    const double lo = std::max(p.min, p.max > 10 ? 0.1 : p.min), hi = std::min(p.max, 10.0);
+    const auto [lo, hi] = moderate(p);
     if (unit(generator) < 0.1) return p.default_value;
     return p.max > 10 ? lo * std::exp(unit(generator) * std::log(hi / lo)) : lo + (hi - lo) * unit(generator);
 }
@@ -252,6 +266,57 @@ double rounding_of(const Row& row) {
     return worst;
 }
 
+/// The largest `bound` over a box, after so many halvings of the box where it is largest, each where it helps most.
+template <std::size_t D, class F>
+double bound_over(const F& bound, const box<D>& whole, int halvings) {
+    struct part {
+        box<D> b;
+        double upper;
+        bool operator<(const part& other) const { return upper < other.upper; }
+    };
+    std::priority_queue<part> open;
+    open.push({whole, bound(whole)});
+    for (int h = 0; h < halvings; ++h) {
+        const part worst = open.top();
+        open.pop();
+        std::array<part, 2> best{worst, worst};
+        std::pair<double, double> best_score{std::numeric_limits<double>::infinity(), 0};
+        for (std::size_t i = 0; i < D; ++i) {
+            std::array<part, 2> halves{worst, worst};
+            halves[0].b[i].hi = halves[1].b[i].lo = worst.b[i].middle();
+            for (part& half : halves)
+                half.upper = bound(half.b);
+            const std::pair score{std::max(halves[0].upper, halves[1].upper),
+                                  -worst.b[i].width() / whole[i].width()};
+            if (score < best_score) best_score = score, best = halves;
+        }
+        for (const part& half : best)
+            open.push(half);
+    }
+    return open.top().upper;
+}
+
+/// What |float32 - real| never exceeds for the arguments of `rounding_of`; none for models with comparisons.
+template <class Row>
+std::optional<double> rounding_bound_of(const Row& row) {
+    constexpr std::size_t N = std::tuple_size_v<decltype(row.parameters)>;
+    box<N + 1> whole;
+    for (std::size_t p = 0; p < N; ++p)
+        whole[p] = hull(moderate(row.parameters[p]), interval(row.parameters[p].default_value));
+    whole[N] = any_cosine;
+    const auto bound = [&](const box<N + 1>& b) {
+        std::array<rounding, N> values;
+        for (std::size_t p = 0; p < N; ++p)
+            values[p] = rounding(b[p].lo, b[p].hi);
+        return reflectance(evaluate(row, values, rounding(b[N].lo, b[N].hi))).error;
+    };
+    try {
+        return bound_over(bound, whole, 3000);
+    } catch (const rounding::undecided&) {
+        return std::nullopt;
+    }
+}
+
 template <class Row>
 certificate certify_row(const Row& row) {
     constexpr std::size_t N = std::tuple_size_v<decltype(row.parameters)>;
@@ -259,19 +324,21 @@ certificate certify_row(const Row& row) {
     if (row.error.over == row::inside_gems) result = over_internal_gems();
     if constexpr (N <= 2)
         if (row.error.over == row::gems) result = over_gems(row);
+    if constexpr (N == 2)
+        if (row.error.over == row::box) result = over_indices(row);
     if constexpr (N >= 2)
         if (row.error.over == row::metals) result = over_metals(row);
     if (!result.proved)
         result.absolute = {row.error.max, row.error.max}; // as the registry's test measures it
     result.model = row.name, result.domain = row.error.over;
-    result.rounding_float32 = rounding_of(row);
+    result.rounding_float32 = rounding_of(row), result.rounding_bound = rounding_bound_of(row);
     return result;
 }
 
 } // namespace
 
 bool can_prove(std::string_view over) {
-    return over == row::gems || over == row::inside_gems || over == row::metals;
+    return over == row::gems || over == row::inside_gems || over == row::box || over == row::metals;
 }
 
 certificate prove(std::string_view model) {
