@@ -206,8 +206,9 @@ void run_model(benchmark::State& state, const std::string& name, const batch_mod
     if (count == large_size) rivals.clear();
     const index_arrays index{in.arrays[0], in.arrays[arrays > 2 ? 1 : 0], in.cos_i()};
     const std::size_t first_rival = works.size();
-    for (const auto& [counter, run] : rivals)
-        works.push_back([&index, &rival_R, count, run = run] { run(index, rival_R.data(), count); });
+    for (const auto& entry : rivals)
+        works.push_back(
+            [&index, &rival_R, count, form = entry.second] { form(index, rival_R.data(), count); });
 
     const std::vector<double> times = take_turns(works, count == large_size);
     const double values = static_cast<double>(count);
