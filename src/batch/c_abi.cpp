@@ -143,6 +143,8 @@ fresnel_error fresnel_model_parameter(const char* model, size_t index, fresnel_p
     if (!row) return FRESNEL_UNKNOWN_MODEL;
     if (index >= row->parameter_count) return FRESNEL_OUT_OF_RANGE;
     const auto& found = row->parameters[index];
+    // the registry's names are literals, which end with a 0
+    // NOLINTNEXTLINE(bugprone-suspicious-stringview-data-usage)
     *parameter = {found.name.data(), found.unit.data(), found.min, found.max, found.default_value};
     return FRESNEL_OK;
 }

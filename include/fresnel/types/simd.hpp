@@ -198,9 +198,7 @@ public:
     explicit FRESNEL_INLINE batch(floats lanes) : lanes_(lanes) {}
 
     /// The same value in every lane.
-    static FRESNEL_INLINE batch broadcast(float x) {
-        return batch(lanes::broadcast<float>(x, floats{}));
-    }
+    static FRESNEL_INLINE batch broadcast(float x) { return batch(lanes::broadcast<float>(x, floats{})); }
     /// N values from memory, of any alignment.
     static FRESNEL_INLINE batch load(const float* from) {
         floats result;
@@ -241,9 +239,7 @@ public:
         __builtin_memcpy(&result.lanes_, &x, sizeof x);
         return result;
     }
-    static FRESNEL_INLINE words word(std::uint32_t x) {
-        return lanes::broadcast<std::uint32_t>(x, words{});
-    }
+    static FRESNEL_INLINE words word(std::uint32_t x) { return lanes::broadcast<std::uint32_t>(x, words{}); }
 
 private:
     floats lanes_;
