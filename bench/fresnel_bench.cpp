@@ -172,10 +172,10 @@ struct limit {
 /// What the summary at the end is made of: counters by benchmark.
 std::map<std::string, std::map<std::string, double>> results;
 
-void report(benchmark::State& state, const std::string& name, double seconds_once,
+void report(benchmark::State& state, const std::string& name, const work& run,
             const std::map<std::string, double>& counters) {
     for (auto _ : state)
-        state.SetIterationTime(seconds_once);
+        run();
     for (const auto& [counter, value] : counters)
         state.counters[counter] = value;
     results[name] = counters;
@@ -219,7 +219,7 @@ void run_model(benchmark::State& state, const std::string& name, const batch_mod
          limit::seconds_per_value(model.name, times.data() + 2, times[1] / values) / per_value}};
     for (std::size_t i = 0; i < rivals.size(); ++i)
         counters[rivals[i].first] = times[first_rival + i] / times[0];
-    report(state, name, times[0], counters);
+    report(state, name, works[0], counters);
 }
 
 /// A metal's table of 81 wavelengths, 90 angles and 3 channels.
@@ -238,14 +238,14 @@ void run_spectral_table(benchmark::State& state, const std::string& name, const 
     const double* const weights2[] = {weight2.data(), weight2.data(), weight2.data()};
     double* const to[] = {rgb2[0].data(), rgb2[1].data(), rgb2[2].data()};
 
-    const std::vector<double> times = take_turns(
-        {[&] { run_spectral(set, call); },
-         [&] {
-             textbook_spectral_table(n2.data(), k2.data(), weights2, wavelengths, cos2.data(), angles, to);
-         }},
-        false);
+    const std::vector<work> works = {[&] { run_spectral(set, call); },
+                                     [&] {
+                                         textbook_spectral_table(n2.data(), k2.data(), weights2, wavelengths,
+                                                                 cos2.data(), angles, to);
+                                     }};
+    const std::vector<double> times = take_turns(works, false);
     report(
-        state, name, times[0],
+        state, name, works[0],
         {{"ns_per_value", times[0] * 1e9 / (wavelengths * angles)}, {"times_textbook", times[1] / times[0]}});
 }
 
@@ -259,7 +259,7 @@ void run_units(benchmark::State& state, const std::string& name, const unit_kern
     times.push_back(take_turns({[&] { units.stream(arrays, 1, y.data(), large_size); }}, true)[0]);
     const double each = 1e9 / limit::operations;
     const double bytes = 2 * sizeof(float) * 1e-9;
-    report(state, name, times[0],
+    report(state, name, works[0],
            {{"ns_division", times[0] * each},
             {"ns_square_root", times[1] * each},
             {"ns_multiply_or_add", times[2] * each},
@@ -273,10 +273,9 @@ void run_units(benchmark::State& state, const std::string& name, const unit_kern
 
 template <class Run>
 void add(const std::string& name, Run run) {
-    benchmark::RegisterBenchmark(name.c_str(), [name, run](benchmark::State& state) { run(state, name); })
-        ->Iterations(1)
-        ->UseManualTime()
-        ->Unit(benchmark::kNanosecond);
+    benchmark::RegisterBenchmark(name.c_str(), [name, run](benchmark::State& state) {
+        run(state, name);
+    })->Unit(benchmark::kNanosecond);
 }
 
 void add_all() {
@@ -333,8 +332,13 @@ void print_goals() {
 
 int main(int argc, char** argv) {
     fresnel::bench::add_all();
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+    // the counters have their own rounds; Google Benchmark's time needs few
+    char short_time[] = "--benchmark_min_time=0.01";
+    std::vector<char*> arguments(argv, argv + argc);
+    arguments.insert(arguments.begin() + 1, short_time);
+    int count = static_cast<int>(arguments.size());
+    benchmark::Initialize(&count, arguments.data());
+    if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
     benchmark::RunSpecifiedBenchmarks();
     fresnel::bench::print_goals();
 }
