@@ -17,14 +17,6 @@
 namespace fresnel::test {
 namespace {
 
-template <class X>
-auto reflectance(const X& result) {
-    if constexpr (requires { result.R_s; })
-        return result.reflectance();
-    else
-        return result;
-}
-
 /// A value in a parameter's range, away from the kinks that clamps make where a reflectance is 1 everywhere.
 double draw(const parameter& p, random_numbers& random) {
     const std::string_view name = p.name;

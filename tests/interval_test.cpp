@@ -15,14 +15,6 @@
 namespace fresnel::test {
 namespace {
 
-template <class X>
-auto reflectance(const X& result) {
-    if constexpr (requires { result.R_s; })
-        return result.reflectance();
-    else
-        return result;
-}
-
 bool holds(const interval& x, const real50& truth) { return real50(x.lo) <= truth && truth <= real50(x.hi); }
 
 /// A random interval of any size and sign.

@@ -17,14 +17,6 @@ namespace {
 
 constexpr double half_unit_of_1 = 0x1p-24; // of [1, 2)
 
-template <class X>
-auto reflectance(const X& result) {
-    if constexpr (requires { result.R_s; })
-        return result.reflectance();
-    else
-        return result;
-}
-
 /// Real and float results lie where they should, and as near to each other as stated.
 testing::AssertionResult bounds(const rounding& x, float machine, const real50& real) {
     const double m = static_cast<double>(machine);

@@ -56,6 +56,15 @@ constexpr auto evaluate(const model<N, F>& row, const Values& values, T cos_i) {
     }(std::make_index_sequence<N>{});
 }
 
+/// Reflectance of unpolarised light from what a row's `evaluate` returns, a `boundary` or the reflectance itself.
+template <class X>
+constexpr auto reflectance(const X& result) {
+    if constexpr (requires { result.R_s; })
+        return result.reflectance();
+    else
+        return result;
+}
+
 namespace row {
 
 inline constexpr parameter n_i{"n_i", "1", 0.01, 100, 1, true};

@@ -168,11 +168,7 @@ operation_count count_operations(std::string_view name) {
     operation_count count{};
     for_each_model([&](const auto& row) {
         if (row.name != name) return;
-        const auto result = evaluate(row, values, counting(0.5));
-        if constexpr (std::is_same_v<std::remove_cv_t<decltype(result)>, counting>)
-            count = result.needed();
-        else
-            count = result.reflectance().needed();
+        count = reflectance(evaluate(row, values, counting(0.5))).needed();
     });
     return count;
 }

@@ -24,14 +24,6 @@ namespace fresnel {
 
 namespace {
 
-template <class X>
-auto reflectance(const X& result) {
-    if constexpr (requires { result.R_s; })
-        return result.reflectance();
-    else
-        return result;
-}
-
 // ---- branch and bound -------------------------------------------------------------------------------------
 
 template <std::size_t D>
