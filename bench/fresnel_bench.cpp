@@ -1,6 +1,6 @@
 // How fast the models are, and how near to what the machine can do at most.
 //
-//   fresnel_bench                                        everything, about three minutes
+//   fresnel_bench                                        everything, which takes minutes
 //   fresnel_bench --benchmark_filter=conductor/          one model
 //   fresnel_bench --benchmark_format=json
 //
