@@ -264,7 +264,7 @@ inline constexpr auto registry = std::tuple{
           std::array{parameter{"r", "1", 0, 1, 0.9}, parameter{"g", "1", 0, 1, 0.5}},
           "Gulbrandsen 2014, Artist Friendly Metallic Fresnel",
           row::any_angle,
-          {1e-07, row::metals},
+          {1e-13, row::metals},
           [](auto... x) { return gulbrandsen(x...); }},
     model{"f82",
           model_kind::approximation,

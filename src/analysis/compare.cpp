@@ -66,15 +66,35 @@ surface_class classify(const material& substance, double ambient) {
     return (lowest + highest) / 2 < ambient ? surface_class::internal : surface_class::dielectric;
 }
 
-model_fit fit_model(std::string_view name, const std::array<channel, 3>& channels, const rgb_curve& exact) {
-    model_fit result{std::string(name), {}, std::vector<rgb>(exact.cos_i.size()), {}, 0, 0};
+double rms(const std::vector<double>& a, const std::vector<double>& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        sum += square(a[i] - b[i]);
+    return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+fitted_f82 fit_f82_of(std::string_view name, const std::array<channel, 3>& channels) {
+    fitted_f82 result{};
     for (std::size_t i = 0; i < 3; ++i) {
-        result.values[i] = fit(name, channels[i]);
+        const parameters found = fit_f82(name, channels[i]);
+        result.f82[i] = found[1];
+        result.rms[i] = rms(evaluate(name, found, channels[i].cos_i), channels[i].R);
+    }
+    return result;
+}
+
+model_fit fit_model(std::string_view name, const std::array<channel, 3>& channels,
+                    const std::array<edge_tint, 3>& tints, const rgb_curve& exact) {
+    model_fit result{std::string(name), {}, std::vector<rgb>(exact.cos_i.size()), {}, {}, 0, 0};
+    for (std::size_t i = 0; i < 3; ++i) {
+        result.values[i] = fit(name, channels[i], tints[i]);
         const std::vector<double> R = evaluate(name, result.values[i], exact.cos_i);
         for (std::size_t a = 0; a < R.size(); ++a)
             result.curve[a][i] = R[a];
     }
     result.error = error_of(result.curve, exact);
+    if (name == "f82" || name == "powers_4_12" || name == "powers_2_8_16")
+        result.least_squares = fit_f82_of(name, channels);
     result.cost = 3 * count_operations(name).cost();
     return result;
 }
@@ -135,10 +155,13 @@ comparison compare(const material& substance, color_space space, double ambient)
                       {},
                       0};
     std::array<channel, 3> channels;
-    for (std::size_t i = 0; i < 3; ++i)
+    std::array<edge_tint, 3> tints{};
+    for (std::size_t i = 0; i < 3; ++i) {
         channels[i] = channel_of(result.exact, result.colour.f0, result.colour.f82, ambient, i);
+        tints[i] = fit_gulbrandsen(channels[i]);
+    }
     for (const std::string_view name : models_for(result.surface))
-        result.models.push_back(fit_model(name, channels, result.exact));
+        result.models.push_back(fit_model(name, channels, tints, result.exact));
     rank(result.models);
     result.recommended = recommend(result.models);
     return result;
@@ -169,16 +192,19 @@ nlohmann::json to_json(const comparison& result) {
         const auto wanted = find_model<double>(m.name).parameters;
         for (std::size_t p = 0; p < wanted.size(); ++p)
             values[std::string(wanted[p].name)] = {m.values[0][p], m.values[1][p], m.values[2][p]};
-        models.push_back({{"name", m.name},
-                          {"rank", m.rank},
-                          {"parameters", values},
-                          {"max_error", m.error.max},
-                          {"max_error_theta", m.error.max_theta},
-                          {"rms_error", m.error.rms},
-                          {"cosine_error", m.error.cosine},
-                          {"delta_e_max", m.error.delta_e_max},
-                          {"delta_e_theta", m.error.delta_e_theta},
-                          {"operations", m.cost}});
+        nlohmann::json one = {{"name", m.name},
+                              {"rank", m.rank},
+                              {"parameters", values},
+                              {"max_error", m.error.max},
+                              {"max_error_theta", m.error.max_theta},
+                              {"rms_error", m.error.rms},
+                              {"cosine_error", m.error.cosine},
+                              {"delta_e_max", m.error.delta_e_max},
+                              {"delta_e_theta", m.error.delta_e_theta},
+                              {"operations", m.cost}};
+        if (m.least_squares)
+            one["least_squares"] = {{"f82", m.least_squares->f82}, {"rms_error", m.least_squares->rms}};
+        models.push_back(std::move(one));
     }
     const normal_colour& colour = result.colour;
     return {{"name", colour.material},

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,14 +32,20 @@ curve_error error_of(const std::vector<rgb>& model, const rgb_curve& exact);
 /// The error of `schlick` on a material in air, f0 exact.
 curve_error schlick_error(const material& substance, color_space space);
 
+/// The f82 of least squares, with which a model is closer in the mean than with the exact f82; per channel.
+struct fitted_f82 {
+    std::array<double, 3> f82, rms;
+};
+
 /// One model fitted to a material.
 struct model_fit {
     std::string name;
     std::array<parameters, 3> values; ///< per channel, in the order of the registry row
     std::vector<rgb> curve;           ///< the model at the exact curve's angles
     curve_error error;
-    int cost; ///< operations of one evaluation, three channels
-    int rank; ///< 1 is the smallest largest error
+    std::optional<fitted_f82> least_squares; ///< of f82, powers_4_12 and powers_2_8_16
+    int cost;                                ///< operations of one evaluation, three channels
+    int rank;                                ///< 1 is the smallest largest error
 };
 
 /// Everything `fresnel compare` knows of one material.

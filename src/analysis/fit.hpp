@@ -36,22 +36,30 @@ using parameters = std::vector<double>;
 /// The models worth comparing on that class of surface, in the order of the registry.
 std::vector<std::string_view> models_for(surface_class surface);
 
+/// Gulbrandsen's (r, g), and the index (n, k) relative to the ambient medium they stand for.
+struct edge_tint {
+    double r, g, n, k;
+};
+
 /// The best parameters of a model for a channel, inside the ranges of the registry.
 ///
-/// f0 and f82 are the exact values; what is left is found by least squares over theta: the power of Schlick,
-/// Lazanyi's alpha and Gulbrandsen's g by golden section, Lazanyi's a, f90, bias and scale by linear least
-/// squares. n and k are those of Gulbrandsen's family through f0.
+/// f0 and f82 are the exact values; what is left, the power of Schlick, Lazanyi's a and alpha, Gulbrandsen's g, f90,
+/// bias and scale, is found by least squares over theta. n and k are those of Gulbrandsen's family through f0.
 /// Throws bad_input for an unknown model.
 parameters fit(std::string_view model, const channel& exact);
+
+/// The same where `fit_gulbrandsen` of the channel is known already, which four models need.
+parameters fit(std::string_view model, const channel& exact, const edge_tint& tint);
+
+/// f0, exact, and the f82 of least squares over theta of `f82`, `powers_4_12` or `powers_2_8_16`: the curve no longer
+/// passes through the exact f82, but is closer in the mean. Throws bad_input for another model.
+parameters fit_f82(std::string_view model, const channel& exact);
 
 /// The model with those parameters at the channel's angles.
 std::vector<double> evaluate(std::string_view model, const parameters& values,
                              const std::vector<double>& cos_i);
 
-/// Gulbrandsen's (r, g) of least squares, and the index (n, k) relative to the ambient medium they stand for.
-struct edge_tint {
-    double r, g, n, k;
-};
+/// Gulbrandsen's (r, g) of least squares.
 edge_tint fit_gulbrandsen(const channel& exact);
 
 /// Index of Gulbrandsen's parameters; r is limited as in the model.

@@ -112,14 +112,20 @@ struct dual {
         using fresnel::pow;
         const T power = pow(x.value, y.value);
         const bool zero = x.value == T(0);
-        return chain(power, x, y.value * pow(x.value, y.value - 1), y,
-                     zero ? T(0) : power * log(zero ? T(1) : x.value));
+        const T dx = is_constant(x) ? T(0) : y.value * pow(x.value, y.value - 1);
+        const T dy = zero || is_constant(y) ? T(0) : power * log(x.value);
+        return chain(power, x, dx, y, dy);
     }
 
 private:
     static T select_component(const decltype(T(0) < T(0))& mask, const T& yes, const T& no) {
         using fresnel::select;
         return select(mask, yes, no);
+    }
+    static bool is_constant(const dual& x) {
+        for (std::size_t i = 0; i < N; ++i)
+            if (!(x.d[i] == T(0))) return false;
+        return true;
     }
     // The chain rule; a derivative of 0 stays 0 whatever its factor.
     static T product(const T& derivative, const T& factor) {
