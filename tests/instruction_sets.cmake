@@ -6,6 +6,8 @@ string(REPLACE "|" ";" objects "${OBJECTS}")
 set(root_sse2 "[ \t]sqrtps [^\n]*%xmm")
 set(root_avx2 "vsqrtps [^\n]*%ymm")
 set(root_avx512 "vsqrtps [^\n]*%zmm")
+set(root_neon "fsqrt[ \t]+v[0-9]+\\.4s")
+set(root_simd128 "f32x4\\.sqrt")
 
 foreach(object IN LISTS objects)
     string(REGEX MATCH "^([^=]+)=(.+)$" _ "${object}")
