@@ -54,6 +54,7 @@ void build(CLI::App& app) {
     add_prove(app);
     add_identify(app);
     add_plot(app);
+    add_shader(app);
 }
 
 // A misspelt command is told apart from a misspelt option, so that the nearest command can be named.

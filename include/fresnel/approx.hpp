@@ -72,7 +72,7 @@ T schlick_nk(T n, T k, T cos_i) {
 /// source  Lagarde 2013, "Memo on Fresnel equations"; "Real-Time Rendering", 4th ed., sec. 9.5.3
 template <class T>
 T schlick_internal(T eta, T cos_i) {
-    const T f0 = let("f0", square((1 - eta) / (1 + eta)));
+    const T f0 = let("f0", f0_from_eta(eta));
     return schlick(f0, refracted_cosine(eta, cos_i));
 }
 

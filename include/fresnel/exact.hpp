@@ -179,8 +179,8 @@ boundary<T> conductor(T n_i, T n_t, T k_t, T cos_i) {
     const T t0 = let("t0", E + c2);
     const T A = let("A", sqrt(t0 * t0 + Z2));
     const T S = let("S", A + abs(t0));
-    const T half = let("half", S / 2);
-    const T u2 = let("u2", select(half <= negligible<T>(), c2, half)); // at the critical angle any will do
+    const T v2 = let("v2", S / 2);
+    const T u2 = let("u2", select(v2 <= negligible<T>(), c2, v2)); // at the critical angle any will do
     const T u = let("u", sqrt(u2));
     const T a = let("a", select(t0 < 0, Z, S)); // 2 u a
 
@@ -191,11 +191,11 @@ boundary<T> conductor(T n_i, T n_t, T k_t, T cos_i) {
         "D_s", max(F + 2 * ac * G_s, negligible<T>())); // below it only for equal media at grazing incidence
     const T R_s = let("R_s", F / D_s);
 
-    const T as = let("as", ac * sin2);
+    const T acs = let("acs", ac * sin2);
     const T N = let("N", (n_t * n_t - k2) * cos2 - n_i * s2); // Re m^2 c^2 - s^2
     const T B = let("B", (N * N + square(Z * cos2)) * u2);
-    const T G_p = let("G_p", (A * cos2 + s2 * s2) * u + as);
-    const T D_p = let("D_p", max(B + 2 * as * G_p, negligible<T>()));
+    const T G_p = let("G_p", (A * cos2 + s2 * s2) * u + acs);
+    const T D_p = let("D_p", max(B + 2 * acs * G_p, negligible<T>()));
     const T R_p = let("R_p", R_s * (B / D_p));
 
     const T T_s = let("T_s", select(F <= 0, 1 - R_s, 2 * (a * (G_s / D_s)) * c));

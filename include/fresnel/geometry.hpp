@@ -36,6 +36,15 @@ constexpr T dot(vector3<T> a, vector3<T> b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+/// Cosine of incidence: the positive part of the cosine between two directions, capped at 1.
+///
+/// normal, direction   unit; the view, the light, or the half vector with either
+/// returns             [0, 1], 0 where the direction is behind the surface
+template <class V>
+auto incidence_cosine(V normal, V direction) {
+    return saturate(dot(normal, direction));
+}
+
 /// The mirror direction.
 ///
 ///   r = 2 (n . v) n - v
@@ -43,8 +52,8 @@ constexpr T dot(vector3<T> a, vector3<T> b) {
 /// v        where the light comes from, or the eye is   unit, on the side of n
 /// n        normal                                      unit
 /// returns  unit, on the side of n
-template <class T>
-vector3<T> reflect(vector3<T> v, vector3<T> n) {
+template <class V>
+V reflect(V v, V n) {
     return (2 * dot(n, v)) * n - v;
 }
 
@@ -72,14 +81,14 @@ T refracted_cosine(T eta, T cos_i) {
 /// eta      n_t / n_i                    > 0
 /// returns  unit, on the other side of n
 /// source   Snell's law; the vector form as in Greve 2006, "Reflections and Refractions in Ray Tracing"
-template <class T>
-vector3<T> refract(vector3<T> v, vector3<T> n, T eta) {
+template <class V, class T>
+V refract(V v, V n, T eta) {
     const T cos_i = let("cos_i", dot(n, v));
     const T cos_t = refracted_cosine(eta, cos_i);
     const auto reflected = (eta - 1) * (eta + 1) + cos_i * cos_i < 0;
     const T scale = let("scale", select(reflected, T(0), 1 / eta));
     const T down = let("down", select(reflected, T(0), cos_t));
-    return T(-scale) * (v - cos_i * n) - down * n;
+    return -scale * (v - cos_i * n) - down * n;
 }
 
 /// Snell's law into an absorbing medium: the complex cosine of the transmitted wave.
@@ -168,6 +177,17 @@ T critical_cosine(T eta) {
 template <class T>
 T normal_reflectance(T n_i, T n_t, T k_t) {
     return (square(n_t - n_i) + k_t * k_t) / (square(n_t + n_i) + k_t * k_t);
+}
+
+/// The same between two transparent media.
+///
+///   f0 = ((eta - 1) / (eta + 1))^2
+///
+/// eta      n_t / n_i   > 0
+/// returns  [0, 1); the same for 1 / eta
+template <class T>
+T f0_from_eta(T eta) {
+    return square((eta - 1) / (eta + 1));
 }
 
 /// The relative index above 1 that gives f0, the outside of a surface.

@@ -32,8 +32,8 @@ boundary<T> evaluate_row(const T* parameters, T cos_i) {
 template <class T, std::size_t i>
 model_row<T> make_row() {
     constexpr const auto& row = std::get<i>(registry);
-    return {row.name,     row.kind,   row.equation, row.parameters,
-            row.citation, row.domain, row.error,    &evaluate_row<T, i>};
+    return {row.name,     row.kind,   row.summary, row.equation,       row.parameters,
+            row.citation, row.domain, row.error,   &evaluate_row<T, i>};
 }
 
 template <class T>

@@ -15,6 +15,7 @@ template <class T>
 struct model_row {
     std::string_view name;
     model_kind kind;
+    std::string_view summary;
     std::string_view equation;
     std::span<const parameter> parameters;
     std::string_view citation;

@@ -1,0 +1,330 @@
+#include "emit/function.hpp"
+
+#include "analysis/prove.hpp"
+#include "error.hpp"
+
+#include <fresnel/geometry.hpp>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace fresnel::emit {
+
+namespace {
+
+// ---- recording --------------------------------------------------------------------------------------------
+
+std::string meaning_of(const parameter& p) { return fmt::format("[{}, {}]", p.min, p.max); }
+
+constexpr std::string_view angle_meaning = "cosine of incidence, [0, 1]";
+
+bool is_ambient(std::string_view name) { return name == "n_i"; }
+
+void check_fixed(const model_row<double>& row, const request& wanted) {
+    for (const auto& [name, values] : wanted.fixed) {
+        const parameter* found = nullptr;
+        std::vector<std::string> names;
+        for (const parameter& p : row.parameters) {
+            names.emplace_back(p.name);
+            if (p.name == name) found = &p;
+        }
+        if (found == nullptr)
+            throw bad_input(fmt::format(
+                "parameter '{}' is none of {}{}: it takes {}", name, row.name, did_you_mean(name, names),
+                names.empty() ? "no parameters" : fmt::format("{}", fmt::join(names, ", "))));
+        for (const float value : values)
+            check_range(*found, static_cast<double>(value));
+    }
+}
+
+sym symbol_of(function& f, const parameter& p, const request& wanted) {
+    if (const auto found = wanted.fixed.find(std::string(p.name)); found != wanted.fixed.end()) {
+        const auto& [r, g, b] = found->second;
+        return r == g && g == b ? sym::constant(r) : sym::constant(found->second);
+    }
+    const int width = is_ambient(p.name) ? 1 : wanted.width;
+    f.arguments.push_back({std::string(p.name), width, meaning_of(p)});
+    return f.graph.input(p.name, width);
+}
+
+std::vector<std::string> comment_of(const model_row<double>& row, const function& f) {
+    std::vector<std::string> lines = {std::string(row.summary), "", fmt::format("  {}", row.equation), ""};
+    for (const argument& a : f.arguments)
+        lines.push_back(fmt::format("{:<7} {}", a.name, a.meaning));
+    lines.push_back(fmt::format("error   at most {:.3g}, {}: {}", row.error.max,
+                                can_prove(row.error.over) ? "certified" : "measured", row.error.over));
+    lines.push_back(fmt::format("cost    {} operations", count_operations(f).cost()));
+    lines.push_back(fmt::format("source  {}", row.citation));
+    return lines;
+}
+
+// Three of the three: a constant result still has the width that was asked for.
+sym widened(sym x, int width) {
+    return recording::graph()[x.node()].width == width ? x : x * sym::constant(std::array<float, 3>{1, 1, 1});
+}
+
+template <class Row>
+void record_row(const Row& row, function& f, const request& wanted) {
+    std::vector<sym> values;
+    for (const parameter& p : row.parameters)
+        values.push_back(symbol_of(f, p, wanted));
+    f.arguments.push_back({"cos_i", 1, std::string(angle_meaning)});
+    const auto value = evaluate(row, values, f.graph.input("cos_i"));
+    if constexpr (requires { value.R_s; })
+        if (wanted.boundary) {
+            f.results = {{"R_s", value.R_s.node()},
+                         {"R_p", value.R_p.node()},
+                         {"T_s", value.T_s.node()},
+                         {"T_p", value.T_p.node()}};
+            return;
+        }
+    bool rgb = wanted.width == 3 && row.name != std::string_view("one_minus_cos");
+    for (const auto& [name, fixed] : wanted.fixed)
+        rgb = rgb || fixed[0] != fixed[1] || fixed[1] != fixed[2];
+    const sym R = reflectance(value);
+    f.results = {{"R", rgb ? widened(R, 3).node() : R.node()}};
+}
+
+// ---- simplification ---------------------------------------------------------------------------------------
+
+// The nodes behind one node, itself included.
+std::vector<bool> reach(const expression_graph& graph, std::initializer_list<std::uint32_t> roots) {
+    std::vector<bool> reached(graph.size());
+    std::uint32_t last = 0;
+    for (const std::uint32_t root : roots)
+        reached[root] = true, last = std::max(last, root);
+    for (std::uint32_t i = last + 1; i-- > 0;)
+        if (reached[i])
+            for (std::size_t k = 0; k < arity(graph[i].op); ++k)
+                reached[graph[i].operands[k]] = true;
+    return reached;
+}
+
+std::uint32_t rebuilt(expression_graph& graph, std::uint32_t node, const std::vector<std::uint32_t>& now) {
+    const expression x = graph[node];
+    std::array<std::uint32_t, 3> operands = x.operands;
+    bool changed = false;
+    for (std::size_t k = 0; k < arity(x.op); ++k) {
+        operands[k] = now[x.operands[k]];
+        changed = changed || operands[k] != x.operands[k];
+    }
+    if (!changed) return node;
+    const std::uint32_t made = graph.make(x.op, operands);
+    if (x.named != 0) graph.name(made, x.name);
+    return made;
+}
+
+// `node`, given that the mask holds or does not.
+std::uint32_t assume(expression_graph& graph, std::uint32_t node, std::uint32_t mask, bool holds) {
+    const std::vector<bool> wanted = reach(graph, {node});
+    std::vector<std::uint32_t> now(node + 1);
+    for (std::uint32_t i = 0; i <= node; ++i) {
+        now[i] = i;
+        if (!wanted[i]) continue;
+        const expression x = graph[i];
+        if (x.op == operation::choose && x.operands[0] == mask) {
+            now[i] = now[x.operands[holds ? 1 : 2]];
+            if (x.named != 0) graph.name(now[i], x.name);
+        } else {
+            now[i] = rebuilt(graph, i, now);
+        }
+    }
+    return now[node];
+}
+
+} // namespace
+
+void simplify(function& f) {
+    expression_graph& graph = f.graph;
+    const std::size_t size = graph.size();
+    const std::vector<bool> wanted = needed_nodes(f);
+    std::vector<std::uint32_t> now(size);
+    for (std::uint32_t i = 0; i < size; ++i) {
+        now[i] = i;
+        if (!wanted[i]) continue;
+        now[i] = rebuilt(graph, i, now);
+        const expression x = graph[now[i]];
+        if (x.op != operation::choose) continue;
+        const std::uint32_t yes = assume(graph, x.operands[1], x.operands[0], true);
+        const std::uint32_t no = assume(graph, x.operands[2], x.operands[0], false);
+        now[i] = graph.make(operation::choose, {x.operands[0], yes, no});
+        if (x.named != 0) graph.name(now[i], x.name);
+    }
+    for (result& r : f.results)
+        r.node = now[r.node];
+}
+
+function scalarized(const function& f, std::string (*component)(std::string_view name, int i)) {
+    function split;
+    split.name = f.name, split.arguments = f.arguments, split.comment = f.comment;
+    split.directions = f.directions, split.components = f.width() == 3;
+    const recording scope(split.graph);
+    const std::vector<bool> needed = needed_nodes(f);
+    std::vector<std::array<std::uint32_t, 3>> now(f.graph.size());
+    for (std::uint32_t i = 0; i < f.graph.size(); ++i) {
+        if (!needed[i]) continue;
+        const expression& x = f.graph[i];
+        for (std::size_t c = 0; c < 3; ++c) {
+            if (c > 0 && x.width == 1) {
+                now[i][c] = now[i][0];
+            } else if (x.op == operation::input) {
+                const std::string name = x.width == 3 ? component(x.name, static_cast<int>(c)) : x.name;
+                now[i][c] = split.graph.input(name).node();
+            } else if (x.op == operation::constant) {
+                now[i][c] = sym::constant(x.value[c]).node();
+            } else if (x.op == operation::dot_product) {
+                const auto &a = now[x.operands[0]], &b = now[x.operands[1]];
+                now[i][c] = (sym(a[0]) * sym(b[0]) + sym(a[1]) * sym(b[1]) + sym(a[2]) * sym(b[2])).node();
+            } else {
+                std::array<std::uint32_t, 3> operands{};
+                for (std::size_t k = 0; k < arity(x.op); ++k)
+                    operands[k] = now[x.operands[k]][c];
+                now[i][c] = split.graph.make(x.op, operands);
+            }
+            if (x.named != 0 && (c == 0 || x.width == 3))
+                split.graph.name(now[i][c], x.width == 3 ? x.name + "_" + "xyz"[c] : x.name);
+        }
+    }
+    for (const result& r : f.results)
+        for (std::size_t c = 0; c < (split.components ? 3u : 1u); ++c)
+            split.results.push_back({r.name, now[r.node][c]});
+    return split;
+}
+
+std::vector<bool> needed_nodes(const function& f) {
+    std::vector<bool> needed(f.graph.size());
+    for (const result& r : f.results)
+        needed[r.node] = true;
+    for (std::size_t i = f.graph.size(); i-- > 0;)
+        if (needed[i])
+            for (std::size_t k = 0; k < arity(f.graph[static_cast<std::uint32_t>(i)].op); ++k)
+                needed[f.graph[static_cast<std::uint32_t>(i)].operands[k]] = true;
+    return needed;
+}
+
+operation_count count_operations(const function& f) {
+    const std::vector<bool> needed = needed_nodes(f);
+    operation_count count{};
+    for (std::uint32_t i = 0; i < f.graph.size(); ++i) {
+        const expression& x = f.graph[i];
+        if (!needed[i]) continue;
+        switch (x.op) {
+        case operation::input:
+        case operation::constant:
+        case operation::negate:
+        case operation::absolute:
+            break;
+        case operation::divide: {
+            // by a power of two it is a multiplication
+            int exponent = 0;
+            const expression& by = f.graph[x.operands[1]];
+            const bool exact = by.op == operation::constant && std::frexp(by.value[0], &exponent) == 0.5f;
+            (exact ? count.cheap : count.division) += x.width;
+            break;
+        }
+        case operation::square_root:
+            count.root += x.width;
+            break;
+        case operation::exponential2:
+        case operation::logarithm2:
+        case operation::logarithm:
+            count.transcendental += 4 * x.width;
+            break;
+        case operation::power:
+            count.transcendental += 9 * x.width;
+            break;
+        case operation::dot_product:
+            count.cheap += 5;
+            break;
+        default:
+            count.cheap += x.width;
+        }
+    }
+    return count;
+}
+
+function record(std::string_view model, const request& wanted) {
+    const model_row<double>& row = find_model<double>(model);
+    check_fixed(row, wanted);
+    function f;
+    f.name = row.name;
+    const recording scope(f.graph);
+    for_each_model([&](const auto& each) {
+        if (each.name == model) record_row(each, f, wanted);
+    });
+    simplify(f);
+    f.comment = comment_of(row, f);
+    return f;
+}
+
+namespace {
+
+// A function that is not of the registry: its arguments are declared, then `body` makes its value of them.
+template <class Body>
+function record_helper(std::string_view name, std::vector<argument> arguments,
+                       std::vector<std::string> comment, Body&& body) {
+    function f;
+    f.name = name;
+    f.arguments = std::move(arguments);
+    f.directions = true;
+    const recording scope(f.graph);
+    std::vector<sym> values;
+    for (const argument& a : f.arguments)
+        values.push_back(f.graph.input(a.name, a.width));
+    f.results = {{std::string(name), body(values).node()}};
+    simplify(f);
+    f.comment = std::move(comment);
+    f.comment.emplace_back();
+    for (const argument& a : f.arguments)
+        f.comment.push_back(fmt::format("{:<9} {}", a.name, a.meaning));
+    return f;
+}
+
+} // namespace
+
+std::vector<function> record_geometry() {
+    using values = const std::vector<sym>&;
+    const argument v{"direction", 3,
+                     "where the light comes from, or the eye is; unit, on the side of normal"};
+    const argument n{"normal", 3, "unit"};
+    const argument eta{"eta", 1, "n_t / n_i, above 0"};
+    const argument cos_i{"cos_i", 1, std::string(angle_meaning)};
+    std::vector<function> all;
+    all.push_back(record_helper("incidence_cosine", {n, v},
+                                {"The cosine between two directions, 0 where they lie on opposite sides."},
+                                [](values x) { return fresnel::incidence_cosine(x[0], x[1]); }));
+    all.push_back(record_helper("reflected_direction", {v, n},
+                                {"The mirror direction, on the side of normal.", "", "  r = 2 (n . v) n - v"},
+                                [](values x) { return fresnel::reflect(x[0], x[1]); }));
+    all.push_back(
+        record_helper("refracted_direction", {v, n, eta},
+                      {"The refracted direction, on the other side of normal; the zero vector beyond the "
+                       "critical angle.",
+                       "", "  t = -(v - cos_i n) / eta - cos_t n"},
+                      [](values x) { return fresnel::refract(x[0], x[1], x[2]); }));
+    all.push_back(record_helper("refracted_cosine", {eta, cos_i},
+                                {"Snell's law: cosine of the transmitted ray, 0 beyond the critical angle.",
+                                 "", "  cos_t = sqrt(eta^2 - 1 + cos_i^2) / eta"},
+                                [](values x) { return fresnel::refracted_cosine(x[0], x[1]); }));
+    all.push_back(
+        record_helper("critical_cosine", {eta},
+                      {"Cosine of the critical angle, beyond which everything is reflected; 0 where there "
+                       "is none.",
+                       "", "  cos_c = sqrt(1 - eta^2)"},
+                      [](values x) { return fresnel::critical_cosine(x[0]); }));
+    all.push_back(record_helper("brewster_cosine", {eta},
+                                {"Cosine of Brewster's angle, at which p-polarised light is not reflected.",
+                                 "", "  cos_B = 1 / sqrt(1 + eta^2)"},
+                                [](values x) { return fresnel::brewster_cosine(x[0]); }));
+    all.push_back(record_helper("f0_from_eta", {eta},
+                                {"Reflectance at normal incidence.", "", "  f0 = ((eta - 1) / (eta + 1))^2"},
+                                [](values x) { return fresnel::f0_from_eta(x[0]); }));
+    all.push_back(record_helper("eta_from_f0", {{"f0", 1, "reflectance at normal incidence, [0, 1)"}},
+                                {"The relative index above 1 that has this f0.", "",
+                                 "  eta = (1 + sqrt f0) / (1 - sqrt f0) = (1 + sqrt f0)^2 / (1 - f0)"},
+                                [](values x) { return fresnel::eta_from_f0(x[0]); }));
+    return all;
+}
+
+} // namespace fresnel::emit

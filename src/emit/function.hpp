@@ -1,0 +1,70 @@
+#pragma once
+
+#include "analysis/model_table.hpp"
+
+#include <fresnel/types/sym.hpp>
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fresnel::emit {
+
+/// An argument of an emitted function: one number, or three.
+struct argument {
+    std::string name;
+    int width;           ///< 1, or 3 for an RGB value or a vector
+    std::string meaning; ///< what stands after the name in the text's comment: what it is, its domain
+};
+
+/// A quantity that an emitted function returns.
+struct result {
+    std::string name;
+    std::uint32_t node;
+};
+
+/// A function of this library as a graph, ready to be printed in any language.
+struct function {
+    std::string name;
+    std::vector<argument> arguments; ///< in the order of the registry, cos_i last
+    std::vector<result> results;     ///< the reflectance alone, or R_s, R_p, T_s and T_p
+    expression_graph graph;
+    std::vector<std::string> comment; ///< what is said above it, a line each
+    bool directions = false;          ///< whether its triples are directions in space, not RGB values
+    bool components = false;          ///< whether its three results are the components of one
+
+    int width() const { return components ? 3 : graph[results.front().node].width; }
+};
+
+/// What of a model is recorded.
+struct request {
+    int width = 1;         ///< 3: every parameter but n_i is RGB, they share the angle
+    bool boundary = false; ///< of an exact model R_s, R_p, T_s and T_p
+    std::map<std::string, std::array<float, 3>>
+        fixed; ///< parameters that are constants, equal values for width 1
+};
+
+/// Runs a model on symbols. Throws bad_input for an unknown model, an unknown parameter in `fixed` or a value outside
+/// the range of the registry.
+function record(std::string_view model, const request& wanted = {});
+
+/// incidence_cosine, which the overloads of two directions call, then reflected_direction, refracted_direction, refracted_cosine, critical_cosine, brewster_cosine, f0_from_eta and
+/// eta_from_f0: what surrounds the models in every library.
+std::vector<function> record_geometry();
+
+/// Where a branch of a select repeats the select's own comparison, that inner select is the side it always takes:
+/// m ? a : f(m ? b : c) becomes m ? a : f(c), the same value with less to read and to compute.
+void simplify(function& f);
+
+/// The same function with a node for each component, for languages that cannot compute with three values at once: an
+/// input f0 becomes f0.x, f0.y and f0.z, with `component` making those names.
+function scalarized(const function& f, std::string (*component)(std::string_view name, int i));
+
+/// The nodes that the results need: needed[node].
+std::vector<bool> needed_nodes(const function& f);
+
+/// Operations of one evaluation, each node once; three channels count three times.
+operation_count count_operations(const function& f);
+
+} // namespace fresnel::emit

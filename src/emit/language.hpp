@@ -1,0 +1,59 @@
+#pragma once
+
+#include <fresnel/types/sym.hpp>
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fresnel::emit {
+
+/// How a language writes the choice between two values.
+enum class choice_style {
+    ternary, ///< m ? a : b
+    select   ///< select(b, a, m)
+};
+
+/// How a language makes a struct.
+enum class struct_style {
+    constructor, ///< return fresnel_boundary(R_s, ...);
+    initializer  ///< fresnel_boundary b = {R_s, ...}; return b;
+};
+
+/// What a printer must know of a language. Text that is empty is not there in the language.
+struct language {
+    std::string_view id;        ///< as `--lang` takes it
+    std::string_view title;     ///< as a reader knows it
+    std::string_view extension; ///< of a library file, without the dot
+    std::string_view scalar;    ///< its float
+    std::string_view triple;    ///< its RGB value
+    std::string_view vector;    ///< its direction; often the same type
+    std::string_view mask;      ///< three truth values; none: a choice is made component by component
+    std::string_view qualifier; ///< before a function
+    std::string_view literal_suffix;
+    choice_style choice;
+    struct_style structs;
+    bool overloads;           ///< functions may share a name
+    bool arithmetic;          ///< + - * / work on three values at once
+    bool typed_names;         ///< name: type, as in WGSL
+    bool has_saturate;        ///< saturate(x) limits to [0, 1]
+    std::string_view swizzle; ///< how the components of three values are reached: "xyz", or "[]"
+
+    /// The function of an operation: "sqrt", "fmaxf" ...
+    std::string_view name_of(operation op) const;
+    /// The declared type of a value.
+    std::string_view type(int width) const { return width == 3 ? triple : scalar; }
+};
+
+/// GLSL, GLSL ES, HLSL, MSL, WGSL, OSL, CUDA and HIP, C99 and Slang.
+std::span<const language> languages();
+
+/// The language of that id; throws bad_input with the nearest one where there is none.
+const language& find_language(std::string_view id);
+
+/// A name that the language accepts, as near to the one given as can be: reserved words and the names of built-in
+/// functions get a trailing underscore, what no identifier may hold is dropped.
+std::string legal_name(const language& l, std::string_view name);
+
+} // namespace fresnel::emit

@@ -1,0 +1,226 @@
+#include "emit/library.hpp"
+
+#include <fmt/format.h>
+
+namespace fresnel::emit {
+
+namespace {
+
+// ---- functions that call the scalar one -------------------------------------------------------------------
+
+std::vector<std::string> argument_texts(const language& l, const function& f, const std::string& name) {
+    std::vector<std::string> texts;
+    for (const argument& a : f.arguments) {
+        const std::string own = legal_name(l, a.name);
+        texts.push_back(own == name ? own + "_" : own);
+    }
+    return texts;
+}
+
+std::string returning(const language& l, const std::string& value) {
+    if (l.id == "c" && value.front() == '(') // the literal of a struct, which C++ does not know
+        return fmt::format("    {} result = {};\n    return result;\n", l.triple,
+                           value.substr(value.find('{')));
+    return fmt::format("    return {};\n", value);
+}
+
+// Three channels by three calls.
+std::string by_channel(const language& l, const function& rgb, const std::string& scalar_name) {
+    const std::string name = printed_name(l, rgb.name, 3, false);
+    std::vector<std::string> channels;
+    for (int i = 0; i < 3; ++i) {
+        std::vector<std::string> arguments = argument_texts(l, rgb, legal_name(l, rgb.name));
+        for (std::size_t k = 0; k < arguments.size(); ++k)
+            if (rgb.arguments[k].width == 3) arguments[k] = component(l, arguments[k], i);
+        channels.push_back(call(scalar_name, arguments));
+    }
+    return signature(l, rgb, name) + " {\n" + returning(l, triple_of(l, channels)) + "}\n";
+}
+
+// The same function of two directions in place of cos_i.
+std::string by_directions(const language& l, const function& f) {
+    const std::string base = legal_name(l, f.name);
+    const std::string inner = printed_name(l, f.name, f.width(), false);
+    std::vector<std::string> arguments = argument_texts(l, f, base);
+    arguments.back() = call("incidence_cosine", {legal_name(l, "normal"), "direction"});
+    function outer = f;
+    outer.arguments.pop_back();
+    const std::string head = signature(l, outer, base);
+    const std::string more =
+        l.typed_names ? fmt::format("{0}: {2}, direction: {2}", legal_name(l, "normal"), "", l.vector)
+                      : fmt::format("{1} {0}, {1} direction", legal_name(l, "normal"), l.vector);
+    const std::size_t end = head.rfind(')');
+    const std::size_t begin = head.find(base + "(");
+    return head.substr(0, begin) + printed_name(l, f.name, f.width(), true) +
+           head.substr(begin + base.size(), end - begin - base.size()) +
+           (outer.arguments.empty() ? "" : ", ") + more + head.substr(end) + " {\n    return " +
+           call(inner, arguments) + ";\n}\n";
+}
+
+bool compares(const function& f) {
+    const std::vector<bool> needed = needed_nodes(f);
+    for (std::uint32_t i = 0; i < f.graph.size(); ++i)
+        if (needed[i] && f.graph[i].op == operation::choose) return true;
+    return false;
+}
+
+std::string rename(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from + "(");
+    return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+bool has_rgb_argument(const function& f) {
+    for (const argument& a : f.arguments)
+        if (a.width == 3) return true;
+    return false;
+}
+
+function named(function f, const model_request& wanted) {
+    if (!wanted.name.empty()) f.name = wanted.name;
+    return f;
+}
+
+std::string boundary_text(const language& l, const model_request& wanted, const style& how) {
+    function f = named(record(wanted.model, {1, true, wanted.fixed}), wanted);
+    f.name += "_boundary";
+    f.comment.front() = "Reflectances and transmittances of both polarisations.";
+    f.comment.resize(1);
+    return "\n" + print(l, f, how);
+}
+
+std::string rgb_text(const language& l, const model_request& wanted, const style& how) {
+    function rgb = named(record(wanted.model, {3, false, wanted.fixed}), wanted);
+    if (!has_rgb_argument(rgb)) return {};
+    rgb.comment = {"The same for three channels, which share the angle."};
+    const std::string own = legal_name(l, rgb.name);
+    std::string text = "\n" + comment_block(rgb.comment);
+    if (!l.arithmetic || compares(rgb)) {
+        text += by_channel(l, rgb, own);
+    } else {
+        style plain = how;
+        plain.comment = false;
+        text += rename(print(l, rgb, plain), own, printed_name(l, rgb.name, 3, false));
+    }
+    return text + "\n" + by_directions(l, rgb);
+}
+
+std::vector<std::string> helper_types(const language& l) {
+    if (l.id == "wgsl")
+        return {"struct fresnel_boundary {",
+                "    R_s: f32,",
+                "    R_p: f32,",
+                "    T_s: f32,",
+                "    T_p: f32,",
+                "}"};
+    std::vector<std::string> lines = {
+        "struct fresnel_boundary {",
+        "    float R_s, R_p; // reflected, polarised across and along the plane of incidence",
+        "    float T_s, T_p; // transmitted", "};"};
+    if (l.id == "osl")
+        lines = {"struct fresnel_boundary {",
+                 "    float R_s;",
+                 "    float R_p;",
+                 "    float T_s;",
+                 "    float T_p;",
+                 "};"};
+    if (l.id == "c")
+        lines = {"typedef struct {",
+                 "    float x, y, z; // RGB, or a direction",
+                 "} fresnel_float3;",
+                 "",
+                 "typedef struct {",
+                 "    float R_s, R_p; // reflected, polarised across and along the plane of incidence",
+                 "    float T_s, T_p; // transmitted",
+                 "} fresnel_boundary;"};
+    return lines;
+}
+
+// ---- what a file opens and closes with --------------------------------------------------------------------
+
+std::string guard(const language& l) { return fmt::format("FRESNEL_{}", l.id); }
+
+std::string opening(const language& l) {
+    if (l.id == "wgsl") return "";
+    if (l.id == "msl") return "#pragma once\n\n#include <metal_stdlib>\nusing namespace metal;\n\n";
+    if (l.id == "c") return "#ifndef FRESNEL_C\n#define FRESNEL_C\n\n#include <math.h>\n\n";
+    if (l.id == "cuda")
+        return "#pragma once\n\n#ifdef __CUDACC__\n#define FRESNEL_FUNCTION __host__ __device__ "
+               "inline\n#elif "
+               "defined(__HIP__)\n#include <hip/hip_runtime.h>\n#define FRESNEL_FUNCTION __host__ __device__ "
+               "inline\n#else\n#define FRESNEL_FUNCTION inline\n#endif\n\n";
+    std::string name = guard(l);
+    for (char& c : name)
+        c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return fmt::format("#ifndef {0}\n#define {0}\n\n{1}", name,
+                       l.id == "essl" ? "precision highp float;\n\n" : "");
+}
+
+const function& cosine_function() {
+    static const function f = record_geometry().front();
+    return f;
+}
+
+std::string rule(std::string_view title) {
+    return fmt::format("// ---- {} {}\n\n", title, std::string(104 - title.size(), '-'));
+}
+
+} // namespace
+
+std::string preamble(const language& l, std::string_view made_by) {
+    const std::vector<std::string> head = {
+        fmt::format("Fresnel reflectance in {}. Made by `{}`; do not edit.", l.title, made_by),
+        "",
+        "eta = n_t / n_i, the index behind the surface over the one in front of it; a complex index is n + i "
+        "k.",
+        "cos_i is the cosine of incidence, in [0, 1]. Directions are unit vectors and point away from the "
+        "surface;",
+        "which one stands beside the normal is yours: the view, the light or the half vector with either.",
+        "Reflectance is of unpolarised light and lies in [0, 1]. RGB values are linear."};
+    std::string types;
+    for (const std::string& line : helper_types(l))
+        types += line + "\n";
+    return comment_block(head) + "\n" + opening(l) + types + "\n" + print(l, cosine_function());
+}
+
+std::string postamble(const language& l) {
+    const bool guarded = l.id != "wgsl" && l.id != "msl" && l.id != "cuda";
+    return guarded ? "\n#endif\n" : "";
+}
+
+std::string scalar_text(const language& l, const model_request& wanted, const style& how) {
+    return print(l, named(record(wanted.model, {1, false, wanted.fixed}), wanted), how);
+}
+
+std::string model_text(const language& l, const model_request& wanted, const style& how) {
+    const function scalar = named(record(wanted.model, {1, false, wanted.fixed}), wanted);
+    std::string text;
+    if (scalar.width() == 1) {
+        text = print(l, scalar, how) + "\n" + by_directions(l, scalar) + rgb_text(l, wanted, how);
+        if (find_model<double>(wanted.model).kind == model_kind::exact) text += boundary_text(l, wanted, how);
+        return text;
+    }
+    // parameters that are fixed to colours: there is no scalar function
+    const std::string own = legal_name(l, scalar.name);
+    return rename(print(l, scalar, how), own, printed_name(l, scalar.name, 3, false)) + "\n" +
+           by_directions(l, scalar);
+}
+
+std::string library_text(const language& l) {
+    std::string text = preamble(l, fmt::format("fresnel shader --all --lang {}", l.id));
+    text += "\n" + rule("directions, angles and indices");
+    std::vector<function> geometry = record_geometry();
+    for (std::size_t i = 1; i < geometry.size(); ++i)
+        text += print(l, geometry[i]) + "\n";
+    std::string_view title;
+    for (const model_row<double>& row : model_table<double>()) {
+        const std::string_view kind = row.kind == model_kind::exact      ? "exact"
+                                      : row.kind == model_kind::artistic ? "artistic"
+                                                                         : "approximations";
+        if (kind != title) text += rule(title = kind);
+        text += model_text(l, {std::string(row.name)}) + "\n";
+    }
+    text.pop_back();
+    return text + postamble(l);
+}
+
+} // namespace fresnel::emit

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "emit/printer.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace fresnel::emit {
+
+/// What `fresnel shader MODEL` prints of a model.
+struct model_request {
+    std::string model;
+    std::map<std::string, std::array<float, 3>> fixed = {}; ///< parameters that are constants
+    std::string name = {};                                  ///< of the function; the model's own if empty
+};
+
+/// A model in one language, ready to be pasted: the scalar function, the same for three channels that share the
+/// angle, both with two directions in place of cos_i, and of an exact model the reflectances and transmittances of
+/// both polarisations. Throws bad_input as `record` does.
+std::string model_text(const language& l, const model_request& wanted, const style& how = {});
+
+/// Everything that model_text needs before it: what the text is and its conventions, types, the cosine of two
+/// directions.
+std::string preamble(const language& l, std::string_view made_by);
+
+/// What closes the text that `preamble` opened.
+std::string postamble(const language& l);
+
+/// The library file of a language: every model of the registry, and the geometry around them.
+std::string library_text(const language& l);
+
+/// The model's function for one number, alone: the text that is compared with the model bit by bit.
+std::string scalar_text(const language& l, const model_request& wanted, const style& how = {});
+
+} // namespace fresnel::emit
