@@ -3,6 +3,7 @@
 
 #include "analysis/compare.hpp"
 #include "emit/library.hpp"
+#include "emit/pack.hpp"
 #include "error.hpp"
 #include "figure/figure.hpp"
 #include "materials/catalog.hpp"
@@ -17,7 +18,7 @@ struct options {
     std::vector<std::string> models;
     std::string language = "glsl";
     std::vector<std::string> fixed;
-    std::string material, name, out;
+    std::string material, name, out, write, check;
     colour_options colour;
     bool all = false;
 };
@@ -103,7 +104,25 @@ std::string text_of(const options& given) {
     return text + emit::postamble(l);
 }
 
+void check_folder(const std::string& folder) {
+    const std::vector<std::string> differences = emit::check_packs(folder);
+    for (const std::string& difference : differences)
+        fmt::print("{}\n", difference);
+    if (differences.empty()) return;
+    throw failure(
+        fmt::format("--check {}: {} of the files are not what --write makes", folder, differences.size()));
+}
+
 void run(const options& given) {
+    if (!given.write.empty()) {
+        emit::write_packs(given.write);
+        fmt::print("{}\n", given.write);
+        return;
+    }
+    if (!given.check.empty()) {
+        check_folder(given.check);
+        return;
+    }
     check(given);
     const std::string text = text_of(given);
     if (given.out.empty()) {
@@ -122,7 +141,9 @@ void add_shader(CLI::App& app) {
                     "  fresnel shader schlick --lang hlsl\n"
                     "  fresnel shader conductor --lang wgsl --fix n_i=1.333\n"
                     "  fresnel shader gulbrandsen --material gold --space acescg --name gold\n"
-                    "  fresnel shader --all --lang glsl --out fresnel.glsl");
+                    "  fresnel shader --all --lang glsl --out fresnel.glsl\n"
+                    "  fresnel shader --write shaders              every library and engine pack\n"
+                    "  fresnel shader --check shaders              whether they are what --write makes");
     const auto given = std::make_shared<options>();
     command->add_option("MODEL", given->models, "registry names");
     command
@@ -138,6 +159,11 @@ void add_shader(CLI::App& app) {
     command->add_option("--name", given->name, "name of the function")->type_name("N");
     command->add_option("--out", given->out, "write this file")->type_name("FILE");
     command->add_flag("--all", given->all, "every model and the geometry around them");
+    command->add_option("--write", given->write, "write every generated file under this folder")
+        ->type_name("DIR");
+    command
+        ->add_option("--check", given->check, "compare this folder with what --write makes; 1 if they differ")
+        ->type_name("DIR");
     add_colour_options(*command, given->colour);
     command->callback([given] { run(*given); });
 }

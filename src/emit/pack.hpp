@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace fresnel::emit {
+
+/// A generated file: its place under shaders/, and all that it holds.
+struct pack_file {
+    std::string path, text;
+};
+
+/// One library file for each language: glsl/fresnel.glsl and so on, with a README.
+std::vector<pack_file> language_packs();
+
+/// Every file of shaders/, in order of path. Each engine's pack is made in a file of its own under src/emit/packs.
+std::vector<pack_file> all_packs();
+
+/// Writes every file under a folder, each aside and then renamed, and removes nothing. Throws failure.
+void write_packs(const std::string& folder);
+
+/// The files under a folder that are not what write_packs writes: "glsl/fresnel.glsl differs", "... is missing",
+/// "... is not generated". Empty where all is right. Throws bad_input where there is no such folder.
+std::vector<std::string> check_packs(const std::string& folder);
+
+} // namespace fresnel::emit
