@@ -49,11 +49,16 @@ void add_material(const options& given, const std::string& model, emit::model_re
                         "through the exact colours",
                         model));
     const material substance = load_material(given.material);
-    const comparison all = compare(substance, chosen_space(given.colour), chosen_ambient(given.colour));
+    const color_space space = chosen_space(given.colour);
+    const comparison all = compare(substance, space, chosen_ambient(given.colour));
     const model_fit* found = all.find(model);
     if (found == nullptr)
         throw bad_input(
             fmt::format("--material {} with {}: the model does not suit it", given.material, model));
+    request.error = fmt::format("at most {:.3g} in a channel, CIEDE2000 {:.2g}, against the exact colours",
+                                found->error.worst(), found->error.delta_e_max);
+    request.about =
+        fmt::format("{}, fitted in linear {}; {}", given.material, to_string(space), substance.citation);
     const auto& parameters = find_model<double>(model).parameters;
     for (std::size_t i = 0; i < parameters.size(); ++i)
         request.fixed.try_emplace(std::string(parameters[i].name),
