@@ -6,6 +6,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -118,8 +119,8 @@ private:
 
     std::string unique(const std::string& name) {
         std::string tried = name;
-        for (int i = 2; !taken_.insert(tried).second; ++i)
-            tried = fmt::format("{}_{}", name, i);
+        for (int& i = last_number_[name]; !taken_.insert(tried).second;)
+            tried = fmt::format("{}_{}", name, (i = std::max(i, 1) + 1));
         return tried;
     }
 
@@ -324,6 +325,7 @@ private:
     std::vector<std::uint32_t> order_; ///< local variables
     std::vector<std::string> names_;   ///< of inputs and local variables, otherwise empty
     std::set<std::string> taken_;
+    std::map<std::string, int> last_number_; ///< given to a name that was taken
     std::string text_;
 };
 
