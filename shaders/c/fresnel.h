@@ -121,23 +121,23 @@ static inline float eta_from_f0(float f0) {
 // n_t     index behind it, [0.001, 1000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 2e-6, up to 6e-2 at a critical angle
-// cost    41 operations
+// cost    37 operations
 // source  Fresnel 1823
 static inline float dielectric(float n_i, float n_t, float cos_i) {
     const float c = n_i * cos_i;
-    const float s2 = n_i * ((1.0f - cos_i) * (1.0f + cos_i));
+    const float s2 = n_i * (1.0f - cos_i * cos_i);
     const float E = (n_t - n_i) * (n_t + n_i);
     const float g2 = E + c * c;
-    const float g = g2 <= 0.0f ? 0.0f : sqrtf(g2);
+    const float g = sqrtf(fmaxf(g2, 1.1754944e-38f));
     const float E2 = E * E;
-    const float w = 4.0f * (c * g);
-    const float t = g + c;
-    const float a2 = t * t;
-    const float D_s = fmaxf(E2 + w * a2, 7.523164e-37f);
+    const float cg = c * g;
+    const float a = 2.0f * (g + c);
+    const float a2 = a * a;
+    const float D_s = fmaxf(E2 + cg * a2, 1.1754944e-38f);
     const float R_s = E2 / D_s;
     const float x = cos_i * g;
     const float b = x + s2;
-    const float q = b <= 0.0f ? 1.0f : (x - s2) / b;
+    const float q = (x - s2) / b;
     const float R_p = R_s * (q * q);
     return (R_s + R_p) / 2.0f;
 }
@@ -161,23 +161,24 @@ static inline fresnel_float3 dielectric_rgb_dir(float n_i, fresnel_float3 n_t, f
 // Reflectances and transmittances of both polarisations.
 static inline fresnel_boundary dielectric_boundary(float n_i, float n_t, float cos_i) {
     const float c = n_i * cos_i;
-    const float s2 = n_i * ((1.0f - cos_i) * (1.0f + cos_i));
+    const float s2 = n_i * (1.0f - cos_i * cos_i);
     const float E = (n_t - n_i) * (n_t + n_i);
     const float g2 = E + c * c;
-    const float g = g2 <= 0.0f ? 0.0f : sqrtf(g2);
+    const float g = sqrtf(fmaxf(g2, 1.1754944e-38f));
     const float E2 = E * E;
-    const float w = 4.0f * (c * g);
-    const float t = g + c;
-    const float a2 = t * t;
-    const float D_s = fmaxf(E2 + w * a2, 7.523164e-37f);
+    const float cg = c * g;
+    const float a = 2.0f * (g + c);
+    const float a2 = a * a;
+    const float D_s = fmaxf(E2 + cg * a2, 1.1754944e-38f);
     const float R_s = E2 / D_s;
     const float x = cos_i * g;
     const float b = x + s2;
-    const float D_p = b <= 0.0f ? 1.0f : b;
-    const float q = b <= 0.0f ? 1.0f : (x - s2) / b;
+    const float q = (x - s2) / b;
     const float R_p = R_s * (q * q);
-    const float T_s = E2 <= 0.0f ? 1.0f - R_s : w * (a2 / D_s);
-    const float T_p = T_s + R_s * (4.0f * (x * s2) / (D_p * D_p));
+    const float through_s = g2 <= 0.0f ? 0.0f : cg * (a2 / D_s);
+    const float through_p = g2 <= 0.0f ? 0.0f : 4.0f * (x * s2) / (b * b);
+    const float T_s = E2 <= 0.0f ? 1.0f - R_s : through_s;
+    const float T_p = T_s + R_s * through_p;
     fresnel_boundary result = {R_s, R_p, fminf(T_s, 1.0f), fminf(T_p, 1.0f)};
     return result;
 }
@@ -191,36 +192,34 @@ static inline fresnel_boundary dielectric_boundary(float n_i, float n_t, float c
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 2e-6, up to 6e-2 at a critical angle of k_t = 0
-// cost    74 operations
+// cost    66 operations
 // source  Born and Wolf 1999, Principles of Optics, sec. 14.2
 static inline float conductor(float n_i, float n_t, float k_t, float cos_i) {
     const float c = n_i * cos_i;
     const float c2 = c * c;
     const float cos2 = cos_i * cos_i;
-    const float sin2 = (1.0f - cos_i) * (1.0f + cos_i);
+    const float sin2 = 1.0f - cos2;
     const float s2 = n_i * sin2;
-    const float k2 = k_t * k_t;
-    const float E = (n_t - n_i) * (n_t + n_i) - k2;
+    const float s4 = s2 * s2;
+    const float E = (n_t - n_i) * (n_t + n_i) - k_t * k_t;
     const float Z = 2.0f * (n_t * k_t);
     const float Z2 = Z * Z;
     const float t0 = E + c2;
     const float A = sqrtf(t0 * t0 + Z2);
-    const float S = A + fabsf(t0);
-    const float v2 = S / 2.0f;
-    const float u2 = v2 <= 7.523164e-37f ? c2 : v2;
-    const float u = sqrtf(u2);
+    const float S = fmaxf(A + fabsf(t0), 8.881784e-16f);
+    const float u = sqrtf(2.0f * S);
     const float a = t0 < 0.0f ? Z : S;
-    const float ac = a * c;
-    const float F = (E * E + Z2) * u2;
-    const float G_s = (A + c2) * u + ac;
-    const float D_s = fmaxf(F + 2.0f * ac * G_s, 7.523164e-37f);
+    const float h = 2.0f * (a * c);
+    const float F = (E * E + Z2) * S;
+    const float G_s = (A + c2) * u + h;
+    const float D_s = fmaxf(F + h * G_s, 1.1754944e-38f);
     const float R_s = F / D_s;
-    const float acs = ac * sin2;
-    const float N = (n_t * n_t - k2) * cos2 - n_i * s2;
-    const float t = Z * cos2;
-    const float B = (N * N + t * t) * u2;
-    const float G_p = (A * cos2 + s2 * s2) * u + acs;
-    const float D_p = fmaxf(B + 2.0f * acs * G_p, 7.523164e-37f);
+    const float h_p = h * sin2;
+    const float N = t0 * cos2 - s4;
+    const float M = Z * cos2;
+    const float B = (N * N + M * M) * S;
+    const float G_p = (A * cos2 + s4) * u + h_p;
+    const float D_p = B + h_p * G_p;
     const float R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0f;
 }
@@ -247,33 +246,31 @@ static inline fresnel_boundary conductor_boundary(float n_i, float n_t, float k_
     const float c = n_i * cos_i;
     const float c2 = c * c;
     const float cos2 = cos_i * cos_i;
-    const float sin2 = (1.0f - cos_i) * (1.0f + cos_i);
+    const float sin2 = 1.0f - cos2;
     const float s2 = n_i * sin2;
-    const float k2 = k_t * k_t;
-    const float E = (n_t - n_i) * (n_t + n_i) - k2;
+    const float s4 = s2 * s2;
+    const float E = (n_t - n_i) * (n_t + n_i) - k_t * k_t;
     const float Z = 2.0f * (n_t * k_t);
     const float Z2 = Z * Z;
     const float t0 = E + c2;
     const float A = sqrtf(t0 * t0 + Z2);
-    const float S = A + fabsf(t0);
-    const float v2 = S / 2.0f;
-    const float u2 = v2 <= 7.523164e-37f ? c2 : v2;
-    const float u = sqrtf(u2);
+    const float S = fmaxf(A + fabsf(t0), 8.881784e-16f);
+    const float u = sqrtf(2.0f * S);
     const float a = t0 < 0.0f ? Z : S;
-    const float ac = a * c;
-    const float F = (E * E + Z2) * u2;
-    const float G_s = (A + c2) * u + ac;
-    const float D_s = fmaxf(F + 2.0f * ac * G_s, 7.523164e-37f);
+    const float h = 2.0f * (a * c);
+    const float F = (E * E + Z2) * S;
+    const float G_s = (A + c2) * u + h;
+    const float D_s = fmaxf(F + h * G_s, 1.1754944e-38f);
     const float R_s = F / D_s;
-    const float acs = ac * sin2;
-    const float N = (n_t * n_t - k2) * cos2 - n_i * s2;
-    const float t = Z * cos2;
-    const float B = (N * N + t * t) * u2;
-    const float G_p = (A * cos2 + s2 * s2) * u + acs;
-    const float D_p = fmaxf(B + 2.0f * acs * G_p, 7.523164e-37f);
+    const float h_p = h * sin2;
+    const float N = t0 * cos2 - s4;
+    const float M = Z * cos2;
+    const float B = (N * N + M * M) * S;
+    const float G_p = (A * cos2 + s4) * u + h_p;
+    const float D_p = B + h_p * G_p;
     const float R_p = R_s * (B / D_p);
-    const float T_s = F <= 0.0f ? 1.0f - R_s : 2.0f * (a * (G_s / D_s)) * c;
-    const float T_p = T_s + R_s * (2.0f * (a * (G_p / D_p)) * (c * sin2));
+    const float T_s = F <= 0.0f ? 1.0f - R_s : h * (G_s / D_s);
+    const float T_p = T_s + R_s * (h_p * (G_p / D_p));
     fresnel_boundary result = {R_s, R_p, fminf(T_s, 1.0f), fminf(T_p, 1.0f)};
     return result;
 }
@@ -351,24 +348,24 @@ static inline fresnel_boundary dielectric_fast_boundary(float n_i, float n_t, fl
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 3e-6 for metals, 1e-4 for dielectrics, no digit left near an index match
-// cost    53 operations
+// cost    51 operations
 // source  Lagarde 2013, Memo on Fresnel equations, after Shirley
 static inline float conductor_fast(float n_i, float n_t, float k_t, float cos_i) {
     const float c = n_i * cos_i;
     const float c2 = c * c;
     const float cos2 = cos_i * cos_i;
     const float sin2 = 1.0f - cos2;
-    const float t0 = (n_t - n_i) * (n_t + n_i) - k_t * k_t + c2;
+    const float s2 = n_i * sin2;
+    const float t0 = n_t * n_t - n_i * s2 - k_t * k_t;
     const float nk2 = 2.0f * (n_t * k_t);
     const float A = sqrtf(t0 * t0 + nk2 * nk2);
     const float a2 = 2.0f * (A + t0);
     const float a = a2 <= 0.0f ? 0.0f : sqrtf(a2);
     const float t1 = A + c2;
     const float t2 = fminf(a * c, t1);
-    const float t = n_i * sin2;
-    const float t3 = fmaxf(cos2 * A + t * t, 7.523164e-37f);
+    const float t3 = cos2 * A + s2 * s2;
     const float t4 = fminf(t2 * sin2, t3);
-    const float D_s = fmaxf(t1 + t2, 7.523164e-37f);
+    const float D_s = fmaxf(t1 + t2, 1.1754944e-38f);
     const float D_p = t3 + t4;
     const float R_s = (t1 - t2) / D_s;
     const float R_p = R_s * ((t3 - t4) / D_p);
@@ -399,17 +396,17 @@ static inline fresnel_boundary conductor_fast_boundary(float n_i, float n_t, flo
     const float c2 = c * c;
     const float cos2 = cos_i * cos_i;
     const float sin2 = 1.0f - cos2;
-    const float t0 = (n_t - n_i) * (n_t + n_i) - k_t * k_t + c2;
+    const float s2 = n_i * sin2;
+    const float t0 = n_t * n_t - n_i * s2 - k_t * k_t;
     const float nk2 = 2.0f * (n_t * k_t);
     const float A = sqrtf(t0 * t0 + nk2 * nk2);
     const float a2 = 2.0f * (A + t0);
     const float a = a2 <= 0.0f ? 0.0f : sqrtf(a2);
     const float t1 = A + c2;
     const float t2 = fminf(a * c, t1);
-    const float t = n_i * sin2;
-    const float t3 = fmaxf(cos2 * A + t * t, 7.523164e-37f);
+    const float t3 = cos2 * A + s2 * s2;
     const float t4 = fminf(t2 * sin2, t3);
-    const float D_s = fmaxf(t1 + t2, 7.523164e-37f);
+    const float D_s = fmaxf(t1 + t2, 1.1754944e-38f);
     const float D_p = t3 + t4;
     const float R_s = (t1 - t2) / D_s;
     const float R_p = R_s * ((t3 - t4) / D_p);
@@ -962,13 +959,13 @@ static inline fresnel_float3 powers_4_8_rgb_dir(fresnel_float3 f0, fresnel_float
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
 // error   at most 0.0328, certified: eta in [1.3, 2.5], from outside, f0 exact
-// cost    12 operations
+// cost    13 operations
 // source  this library
 static inline float powers_3_9(float f0, float cos_i) {
     const float a = fmaxf(0.46f, f0);
     const float m = 1.0f - cos_i;
     const float m3 = m * m * m;
-    return fminf(f0 + m3 * (a - f0 + (1.0f - a) * (m3 * m3)), 1.0f);
+    return fminf(fmaxf(f0 + m3 * (a - f0 + (1.0f - a) * (m3 * m3)), 0.0f), 1.0f);
 }
 
 static inline float powers_3_9_dir(float f0, fresnel_float3 normal, fresnel_float3 direction) {
@@ -1154,7 +1151,7 @@ static inline fresnel_float3 lazanyi_rgb_dir(fresnel_float3 n, fresnel_float3 k,
 // g       edge tint, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
 // error   at most 1e-13, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
-// cost    104 operations
+// cost    97 operations
 // source  Gulbrandsen 2014, Artist Friendly Metallic Fresnel
 static inline float gulbrandsen(float r, float g, float cos_i) {
     const float f0 = fminf(r, 0.9999f) + 8.271806e-25f;
@@ -1166,29 +1163,27 @@ static inline float gulbrandsen(float r, float g, float cos_i) {
     const float n = n_max + (n_min - n_max) * g;
     const float k = sqrtf(fmaxf((n_max - n) * (n - one_minus_f0 / t_2), 0.0f) + 8.271806e-25f);
     const float c2 = cos_i * cos_i;
-    const float sin2 = (1.0f - cos_i) * (1.0f + cos_i);
-    const float k2 = k * k;
-    const float E = (n - 1.0f) * (n + 1.0f) - k2;
+    const float sin2 = 1.0f - c2;
+    const float s4 = sin2 * sin2;
+    const float E = (n - 1.0f) * (n + 1.0f) - k * k;
     const float Z = 2.0f * (n * k);
     const float Z2 = Z * Z;
     const float t0 = E + c2;
     const float A = sqrtf(t0 * t0 + Z2);
-    const float S = A + fabsf(t0);
-    const float v2 = S / 2.0f;
-    const float u2 = v2 <= 7.523164e-37f ? c2 : v2;
-    const float u = sqrtf(u2);
+    const float S = fmaxf(A + fabsf(t0), 8.881784e-16f);
+    const float u = sqrtf(2.0f * S);
     const float a = t0 < 0.0f ? Z : S;
-    const float ac = a * cos_i;
-    const float F = (E * E + Z2) * u2;
-    const float G_s = (A + c2) * u + ac;
-    const float D_s = fmaxf(F + 2.0f * ac * G_s, 7.523164e-37f);
+    const float h = 2.0f * (a * cos_i);
+    const float F = (E * E + Z2) * S;
+    const float G_s = (A + c2) * u + h;
+    const float D_s = fmaxf(F + h * G_s, 1.1754944e-38f);
     const float R_s = F / D_s;
-    const float acs = ac * sin2;
-    const float N = (n * n - k2) * c2 - sin2;
-    const float t_3 = Z * c2;
-    const float B = (N * N + t_3 * t_3) * u2;
-    const float G_p = (A * c2 + sin2 * sin2) * u + acs;
-    const float D_p = fmaxf(B + 2.0f * acs * G_p, 7.523164e-37f);
+    const float h_p = h * sin2;
+    const float N = t0 * c2 - s4;
+    const float M = Z * c2;
+    const float B = (N * N + M * M) * S;
+    const float G_p = (A * c2 + s4) * u + h_p;
+    const float D_p = B + h_p * G_p;
     const float R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0f;
 }

@@ -120,23 +120,23 @@ FRESNEL_FUNCTION float eta_from_f0(float f0) {
 // n_t     index behind it, [0.001, 1000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 2e-6, up to 6e-2 at a critical angle
-// cost    41 operations
+// cost    37 operations
 // source  Fresnel 1823
 FRESNEL_FUNCTION float dielectric(float n_i, float n_t, float cos_i) {
     float c = n_i * cos_i;
-    float s2 = n_i * ((1.0f - cos_i) * (1.0f + cos_i));
+    float s2 = n_i * (1.0f - cos_i * cos_i);
     float E = (n_t - n_i) * (n_t + n_i);
     float g2 = E + c * c;
-    float g = g2 <= 0.0f ? 0.0f : sqrtf(g2);
+    float g = sqrtf(fmaxf(g2, 1.1754944e-38f));
     float E2 = E * E;
-    float w = 4.0f * (c * g);
-    float t = g + c;
-    float a2 = t * t;
-    float D_s = fmaxf(E2 + w * a2, 7.523164e-37f);
+    float cg = c * g;
+    float a = 2.0f * (g + c);
+    float a2 = a * a;
+    float D_s = fmaxf(E2 + cg * a2, 1.1754944e-38f);
     float R_s = E2 / D_s;
     float x = cos_i * g;
     float b = x + s2;
-    float q = b <= 0.0f ? 1.0f : (x - s2) / b;
+    float q = (x - s2) / b;
     float R_p = R_s * (q * q);
     return (R_s + R_p) / 2.0f;
 }
@@ -158,23 +158,24 @@ FRESNEL_FUNCTION float3 dielectric(float n_i, float3 n_t, float3 normal, float3 
 // Reflectances and transmittances of both polarisations.
 FRESNEL_FUNCTION fresnel_boundary dielectric_boundary(float n_i, float n_t, float cos_i) {
     float c = n_i * cos_i;
-    float s2 = n_i * ((1.0f - cos_i) * (1.0f + cos_i));
+    float s2 = n_i * (1.0f - cos_i * cos_i);
     float E = (n_t - n_i) * (n_t + n_i);
     float g2 = E + c * c;
-    float g = g2 <= 0.0f ? 0.0f : sqrtf(g2);
+    float g = sqrtf(fmaxf(g2, 1.1754944e-38f));
     float E2 = E * E;
-    float w = 4.0f * (c * g);
-    float t = g + c;
-    float a2 = t * t;
-    float D_s = fmaxf(E2 + w * a2, 7.523164e-37f);
+    float cg = c * g;
+    float a = 2.0f * (g + c);
+    float a2 = a * a;
+    float D_s = fmaxf(E2 + cg * a2, 1.1754944e-38f);
     float R_s = E2 / D_s;
     float x = cos_i * g;
     float b = x + s2;
-    float D_p = b <= 0.0f ? 1.0f : b;
-    float q = b <= 0.0f ? 1.0f : (x - s2) / b;
+    float q = (x - s2) / b;
     float R_p = R_s * (q * q);
-    float T_s = E2 <= 0.0f ? 1.0f - R_s : w * (a2 / D_s);
-    float T_p = T_s + R_s * (4.0f * (x * s2) / (D_p * D_p));
+    float through_s = g2 <= 0.0f ? 0.0f : cg * (a2 / D_s);
+    float through_p = g2 <= 0.0f ? 0.0f : 4.0f * (x * s2) / (b * b);
+    float T_s = E2 <= 0.0f ? 1.0f - R_s : through_s;
+    float T_p = T_s + R_s * through_p;
     fresnel_boundary result = {R_s, R_p, fminf(T_s, 1.0f), fminf(T_p, 1.0f)};
     return result;
 }
@@ -188,36 +189,34 @@ FRESNEL_FUNCTION fresnel_boundary dielectric_boundary(float n_i, float n_t, floa
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 2e-6, up to 6e-2 at a critical angle of k_t = 0
-// cost    74 operations
+// cost    66 operations
 // source  Born and Wolf 1999, Principles of Optics, sec. 14.2
 FRESNEL_FUNCTION float conductor(float n_i, float n_t, float k_t, float cos_i) {
     float c = n_i * cos_i;
     float c2 = c * c;
     float cos2 = cos_i * cos_i;
-    float sin2 = (1.0f - cos_i) * (1.0f + cos_i);
+    float sin2 = 1.0f - cos2;
     float s2 = n_i * sin2;
-    float k2 = k_t * k_t;
-    float E = (n_t - n_i) * (n_t + n_i) - k2;
+    float s4 = s2 * s2;
+    float E = (n_t - n_i) * (n_t + n_i) - k_t * k_t;
     float Z = 2.0f * (n_t * k_t);
     float Z2 = Z * Z;
     float t0 = E + c2;
     float A = sqrtf(t0 * t0 + Z2);
-    float S = A + fabsf(t0);
-    float v2 = S / 2.0f;
-    float u2 = v2 <= 7.523164e-37f ? c2 : v2;
-    float u = sqrtf(u2);
+    float S = fmaxf(A + fabsf(t0), 8.881784e-16f);
+    float u = sqrtf(2.0f * S);
     float a = t0 < 0.0f ? Z : S;
-    float ac = a * c;
-    float F = (E * E + Z2) * u2;
-    float G_s = (A + c2) * u + ac;
-    float D_s = fmaxf(F + 2.0f * ac * G_s, 7.523164e-37f);
+    float h = 2.0f * (a * c);
+    float F = (E * E + Z2) * S;
+    float G_s = (A + c2) * u + h;
+    float D_s = fmaxf(F + h * G_s, 1.1754944e-38f);
     float R_s = F / D_s;
-    float acs = ac * sin2;
-    float N = (n_t * n_t - k2) * cos2 - n_i * s2;
-    float t = Z * cos2;
-    float B = (N * N + t * t) * u2;
-    float G_p = (A * cos2 + s2 * s2) * u + acs;
-    float D_p = fmaxf(B + 2.0f * acs * G_p, 7.523164e-37f);
+    float h_p = h * sin2;
+    float N = t0 * cos2 - s4;
+    float M = Z * cos2;
+    float B = (N * N + M * M) * S;
+    float G_p = (A * cos2 + s4) * u + h_p;
+    float D_p = B + h_p * G_p;
     float R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0f;
 }
@@ -241,33 +240,31 @@ FRESNEL_FUNCTION fresnel_boundary conductor_boundary(float n_i, float n_t, float
     float c = n_i * cos_i;
     float c2 = c * c;
     float cos2 = cos_i * cos_i;
-    float sin2 = (1.0f - cos_i) * (1.0f + cos_i);
+    float sin2 = 1.0f - cos2;
     float s2 = n_i * sin2;
-    float k2 = k_t * k_t;
-    float E = (n_t - n_i) * (n_t + n_i) - k2;
+    float s4 = s2 * s2;
+    float E = (n_t - n_i) * (n_t + n_i) - k_t * k_t;
     float Z = 2.0f * (n_t * k_t);
     float Z2 = Z * Z;
     float t0 = E + c2;
     float A = sqrtf(t0 * t0 + Z2);
-    float S = A + fabsf(t0);
-    float v2 = S / 2.0f;
-    float u2 = v2 <= 7.523164e-37f ? c2 : v2;
-    float u = sqrtf(u2);
+    float S = fmaxf(A + fabsf(t0), 8.881784e-16f);
+    float u = sqrtf(2.0f * S);
     float a = t0 < 0.0f ? Z : S;
-    float ac = a * c;
-    float F = (E * E + Z2) * u2;
-    float G_s = (A + c2) * u + ac;
-    float D_s = fmaxf(F + 2.0f * ac * G_s, 7.523164e-37f);
+    float h = 2.0f * (a * c);
+    float F = (E * E + Z2) * S;
+    float G_s = (A + c2) * u + h;
+    float D_s = fmaxf(F + h * G_s, 1.1754944e-38f);
     float R_s = F / D_s;
-    float acs = ac * sin2;
-    float N = (n_t * n_t - k2) * cos2 - n_i * s2;
-    float t = Z * cos2;
-    float B = (N * N + t * t) * u2;
-    float G_p = (A * cos2 + s2 * s2) * u + acs;
-    float D_p = fmaxf(B + 2.0f * acs * G_p, 7.523164e-37f);
+    float h_p = h * sin2;
+    float N = t0 * cos2 - s4;
+    float M = Z * cos2;
+    float B = (N * N + M * M) * S;
+    float G_p = (A * cos2 + s4) * u + h_p;
+    float D_p = B + h_p * G_p;
     float R_p = R_s * (B / D_p);
-    float T_s = F <= 0.0f ? 1.0f - R_s : 2.0f * (a * (G_s / D_s)) * c;
-    float T_p = T_s + R_s * (2.0f * (a * (G_p / D_p)) * (c * sin2));
+    float T_s = F <= 0.0f ? 1.0f - R_s : h * (G_s / D_s);
+    float T_p = T_s + R_s * (h_p * (G_p / D_p));
     fresnel_boundary result = {R_s, R_p, fminf(T_s, 1.0f), fminf(T_p, 1.0f)};
     return result;
 }
@@ -342,24 +339,24 @@ FRESNEL_FUNCTION fresnel_boundary dielectric_fast_boundary(float n_i, float n_t,
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 3e-6 for metals, 1e-4 for dielectrics, no digit left near an index match
-// cost    53 operations
+// cost    51 operations
 // source  Lagarde 2013, Memo on Fresnel equations, after Shirley
 FRESNEL_FUNCTION float conductor_fast(float n_i, float n_t, float k_t, float cos_i) {
     float c = n_i * cos_i;
     float c2 = c * c;
     float cos2 = cos_i * cos_i;
     float sin2 = 1.0f - cos2;
-    float t0 = (n_t - n_i) * (n_t + n_i) - k_t * k_t + c2;
+    float s2 = n_i * sin2;
+    float t0 = n_t * n_t - n_i * s2 - k_t * k_t;
     float nk2 = 2.0f * (n_t * k_t);
     float A = sqrtf(t0 * t0 + nk2 * nk2);
     float a2 = 2.0f * (A + t0);
     float a = a2 <= 0.0f ? 0.0f : sqrtf(a2);
     float t1 = A + c2;
     float t2 = fminf(a * c, t1);
-    float t = n_i * sin2;
-    float t3 = fmaxf(cos2 * A + t * t, 7.523164e-37f);
+    float t3 = cos2 * A + s2 * s2;
     float t4 = fminf(t2 * sin2, t3);
-    float D_s = fmaxf(t1 + t2, 7.523164e-37f);
+    float D_s = fmaxf(t1 + t2, 1.1754944e-38f);
     float D_p = t3 + t4;
     float R_s = (t1 - t2) / D_s;
     float R_p = R_s * ((t3 - t4) / D_p);
@@ -386,17 +383,17 @@ FRESNEL_FUNCTION fresnel_boundary conductor_fast_boundary(float n_i, float n_t, 
     float c2 = c * c;
     float cos2 = cos_i * cos_i;
     float sin2 = 1.0f - cos2;
-    float t0 = (n_t - n_i) * (n_t + n_i) - k_t * k_t + c2;
+    float s2 = n_i * sin2;
+    float t0 = n_t * n_t - n_i * s2 - k_t * k_t;
     float nk2 = 2.0f * (n_t * k_t);
     float A = sqrtf(t0 * t0 + nk2 * nk2);
     float a2 = 2.0f * (A + t0);
     float a = a2 <= 0.0f ? 0.0f : sqrtf(a2);
     float t1 = A + c2;
     float t2 = fminf(a * c, t1);
-    float t = n_i * sin2;
-    float t3 = fmaxf(cos2 * A + t * t, 7.523164e-37f);
+    float t3 = cos2 * A + s2 * s2;
     float t4 = fminf(t2 * sin2, t3);
-    float D_s = fmaxf(t1 + t2, 7.523164e-37f);
+    float D_s = fmaxf(t1 + t2, 1.1754944e-38f);
     float D_p = t3 + t4;
     float R_s = (t1 - t2) / D_s;
     float R_p = R_s * ((t3 - t4) / D_p);
@@ -925,13 +922,13 @@ FRESNEL_FUNCTION float3 powers_4_8(float3 f0, float3 normal, float3 direction) {
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
 // error   at most 0.0328, certified: eta in [1.3, 2.5], from outside, f0 exact
-// cost    12 operations
+// cost    13 operations
 // source  this library
 FRESNEL_FUNCTION float powers_3_9(float f0, float cos_i) {
     float a = fmaxf(0.46f, f0);
     float m = 1.0f - cos_i;
     float m3 = m * m * m;
-    return fminf(f0 + m3 * (a - f0 + (1.0f - a) * (m3 * m3)), 1.0f);
+    return fminf(fmaxf(f0 + m3 * (a - f0 + (1.0f - a) * (m3 * m3)), 0.0f), 1.0f);
 }
 
 FRESNEL_FUNCTION float powers_3_9(float f0, float3 normal, float3 direction) {
@@ -1105,7 +1102,7 @@ FRESNEL_FUNCTION float3 lazanyi(float3 n, float3 k, float3 a, float3 alpha, floa
 // g       edge tint, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
 // error   at most 1e-13, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
-// cost    104 operations
+// cost    97 operations
 // source  Gulbrandsen 2014, Artist Friendly Metallic Fresnel
 FRESNEL_FUNCTION float gulbrandsen(float r, float g, float cos_i) {
     float f0 = fminf(r, 0.9999f) + 8.271806e-25f;
@@ -1117,29 +1114,27 @@ FRESNEL_FUNCTION float gulbrandsen(float r, float g, float cos_i) {
     float n = n_max + (n_min - n_max) * g;
     float k = sqrtf(fmaxf((n_max - n) * (n - one_minus_f0 / t_2), 0.0f) + 8.271806e-25f);
     float c2 = cos_i * cos_i;
-    float sin2 = (1.0f - cos_i) * (1.0f + cos_i);
-    float k2 = k * k;
-    float E = (n - 1.0f) * (n + 1.0f) - k2;
+    float sin2 = 1.0f - c2;
+    float s4 = sin2 * sin2;
+    float E = (n - 1.0f) * (n + 1.0f) - k * k;
     float Z = 2.0f * (n * k);
     float Z2 = Z * Z;
     float t0 = E + c2;
     float A = sqrtf(t0 * t0 + Z2);
-    float S = A + fabsf(t0);
-    float v2 = S / 2.0f;
-    float u2 = v2 <= 7.523164e-37f ? c2 : v2;
-    float u = sqrtf(u2);
+    float S = fmaxf(A + fabsf(t0), 8.881784e-16f);
+    float u = sqrtf(2.0f * S);
     float a = t0 < 0.0f ? Z : S;
-    float ac = a * cos_i;
-    float F = (E * E + Z2) * u2;
-    float G_s = (A + c2) * u + ac;
-    float D_s = fmaxf(F + 2.0f * ac * G_s, 7.523164e-37f);
+    float h = 2.0f * (a * cos_i);
+    float F = (E * E + Z2) * S;
+    float G_s = (A + c2) * u + h;
+    float D_s = fmaxf(F + h * G_s, 1.1754944e-38f);
     float R_s = F / D_s;
-    float acs = ac * sin2;
-    float N = (n * n - k2) * c2 - sin2;
-    float t_3 = Z * c2;
-    float B = (N * N + t_3 * t_3) * u2;
-    float G_p = (A * c2 + sin2 * sin2) * u + acs;
-    float D_p = fmaxf(B + 2.0f * acs * G_p, 7.523164e-37f);
+    float h_p = h * sin2;
+    float N = t0 * c2 - s4;
+    float M = Z * c2;
+    float B = (N * N + M * M) * S;
+    float G_p = (A * c2 + s4) * u + h_p;
+    float D_p = B + h_p * G_p;
     float R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0f;
 }

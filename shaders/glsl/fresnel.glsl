@@ -109,23 +109,23 @@ float eta_from_f0(float f0) {
 // n_t     index behind it, [0.001, 1000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 2e-6, up to 6e-2 at a critical angle
-// cost    41 operations
+// cost    37 operations
 // source  Fresnel 1823
 float dielectric(float n_i, float n_t, float cos_i) {
     float c = n_i * cos_i;
-    float s2 = n_i * ((1.0 - cos_i) * (1.0 + cos_i));
+    float s2 = n_i * (1.0 - cos_i * cos_i);
     float E = (n_t - n_i) * (n_t + n_i);
     float g2 = E + c * c;
-    float g = g2 <= 0.0 ? 0.0 : sqrt(g2);
+    float g = sqrt(max(g2, 1.1754944e-38));
     float E2 = E * E;
-    float w = 4.0 * (c * g);
-    float t = g + c;
-    float a2 = t * t;
-    float D_s = max(E2 + w * a2, 7.523164e-37);
+    float cg = c * g;
+    float a = 2.0 * (g + c);
+    float a2 = a * a;
+    float D_s = max(E2 + cg * a2, 1.1754944e-38);
     float R_s = E2 / D_s;
     float x = cos_i * g;
     float b = x + s2;
-    float q = b <= 0.0 ? 1.0 : (x - s2) / b;
+    float q = (x - s2) / b;
     float R_p = R_s * (q * q);
     return (R_s + R_p) / 2.0;
 }
@@ -136,7 +136,22 @@ float dielectric(float n_i, float n_t, vec3 normal, vec3 direction) {
 
 // The same for three channels, which share the angle.
 vec3 dielectric(float n_i, vec3 n_t, float cos_i) {
-    return vec3(dielectric(n_i, n_t.x, cos_i), dielectric(n_i, n_t.y, cos_i), dielectric(n_i, n_t.z, cos_i));
+    float c = n_i * cos_i;
+    float s2 = n_i * (1.0 - cos_i * cos_i);
+    vec3 E = (n_t - n_i) * (n_t + n_i);
+    vec3 g2 = E + c * c;
+    vec3 g = sqrt(max(g2, vec3(1.1754944e-38)));
+    vec3 E2 = E * E;
+    vec3 cg = c * g;
+    vec3 a = 2.0 * (g + c);
+    vec3 a2 = a * a;
+    vec3 D_s = max(E2 + cg * a2, vec3(1.1754944e-38));
+    vec3 R_s = E2 / D_s;
+    vec3 x = cos_i * g;
+    vec3 b = x + s2;
+    vec3 q = (x - s2) / b;
+    vec3 R_p = R_s * (q * q);
+    return (R_s + R_p) / 2.0;
 }
 
 vec3 dielectric(float n_i, vec3 n_t, vec3 normal, vec3 direction) {
@@ -146,23 +161,24 @@ vec3 dielectric(float n_i, vec3 n_t, vec3 normal, vec3 direction) {
 // Reflectances and transmittances of both polarisations.
 fresnel_boundary dielectric_boundary(float n_i, float n_t, float cos_i) {
     float c = n_i * cos_i;
-    float s2 = n_i * ((1.0 - cos_i) * (1.0 + cos_i));
+    float s2 = n_i * (1.0 - cos_i * cos_i);
     float E = (n_t - n_i) * (n_t + n_i);
     float g2 = E + c * c;
-    float g = g2 <= 0.0 ? 0.0 : sqrt(g2);
+    float g = sqrt(max(g2, 1.1754944e-38));
     float E2 = E * E;
-    float w = 4.0 * (c * g);
-    float t = g + c;
-    float a2 = t * t;
-    float D_s = max(E2 + w * a2, 7.523164e-37);
+    float cg = c * g;
+    float a = 2.0 * (g + c);
+    float a2 = a * a;
+    float D_s = max(E2 + cg * a2, 1.1754944e-38);
     float R_s = E2 / D_s;
     float x = cos_i * g;
     float b = x + s2;
-    float D_p = b <= 0.0 ? 1.0 : b;
-    float q = b <= 0.0 ? 1.0 : (x - s2) / b;
+    float q = (x - s2) / b;
     float R_p = R_s * (q * q);
-    float T_s = E2 <= 0.0 ? 1.0 - R_s : w * (a2 / D_s);
-    float T_p = T_s + R_s * (4.0 * (x * s2) / (D_p * D_p));
+    float through_s = g2 <= 0.0 ? 0.0 : cg * (a2 / D_s);
+    float through_p = g2 <= 0.0 ? 0.0 : 4.0 * (x * s2) / (b * b);
+    float T_s = E2 <= 0.0 ? 1.0 - R_s : through_s;
+    float T_p = T_s + R_s * through_p;
     return fresnel_boundary(R_s, R_p, min(T_s, 1.0), min(T_p, 1.0));
 }
 
@@ -175,36 +191,34 @@ fresnel_boundary dielectric_boundary(float n_i, float n_t, float cos_i) {
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 2e-6, up to 6e-2 at a critical angle of k_t = 0
-// cost    74 operations
+// cost    66 operations
 // source  Born and Wolf 1999, Principles of Optics, sec. 14.2
 float conductor(float n_i, float n_t, float k_t, float cos_i) {
     float c = n_i * cos_i;
     float c2 = c * c;
     float cos2 = cos_i * cos_i;
-    float sin2 = (1.0 - cos_i) * (1.0 + cos_i);
+    float sin2 = 1.0 - cos2;
     float s2 = n_i * sin2;
-    float k2 = k_t * k_t;
-    float E = (n_t - n_i) * (n_t + n_i) - k2;
+    float s4 = s2 * s2;
+    float E = (n_t - n_i) * (n_t + n_i) - k_t * k_t;
     float Z = 2.0 * (n_t * k_t);
     float Z2 = Z * Z;
     float t0 = E + c2;
     float A = sqrt(t0 * t0 + Z2);
-    float S = A + abs(t0);
-    float v2 = S / 2.0;
-    float u2 = v2 <= 7.523164e-37 ? c2 : v2;
-    float u = sqrt(u2);
+    float S = max(A + abs(t0), 8.881784e-16);
+    float u = sqrt(2.0 * S);
     float a = t0 < 0.0 ? Z : S;
-    float ac = a * c;
-    float F = (E * E + Z2) * u2;
-    float G_s = (A + c2) * u + ac;
-    float D_s = max(F + 2.0 * ac * G_s, 7.523164e-37);
+    float h = 2.0 * (a * c);
+    float F = (E * E + Z2) * S;
+    float G_s = (A + c2) * u + h;
+    float D_s = max(F + h * G_s, 1.1754944e-38);
     float R_s = F / D_s;
-    float acs = ac * sin2;
-    float N = (n_t * n_t - k2) * cos2 - n_i * s2;
-    float t = Z * cos2;
-    float B = (N * N + t * t) * u2;
-    float G_p = (A * cos2 + s2 * s2) * u + acs;
-    float D_p = max(B + 2.0 * acs * G_p, 7.523164e-37);
+    float h_p = h * sin2;
+    float N = t0 * cos2 - s4;
+    float M = Z * cos2;
+    float B = (N * N + M * M) * S;
+    float G_p = (A * cos2 + s4) * u + h_p;
+    float D_p = B + h_p * G_p;
     float R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0;
 }
@@ -228,33 +242,31 @@ fresnel_boundary conductor_boundary(float n_i, float n_t, float k_t, float cos_i
     float c = n_i * cos_i;
     float c2 = c * c;
     float cos2 = cos_i * cos_i;
-    float sin2 = (1.0 - cos_i) * (1.0 + cos_i);
+    float sin2 = 1.0 - cos2;
     float s2 = n_i * sin2;
-    float k2 = k_t * k_t;
-    float E = (n_t - n_i) * (n_t + n_i) - k2;
+    float s4 = s2 * s2;
+    float E = (n_t - n_i) * (n_t + n_i) - k_t * k_t;
     float Z = 2.0 * (n_t * k_t);
     float Z2 = Z * Z;
     float t0 = E + c2;
     float A = sqrt(t0 * t0 + Z2);
-    float S = A + abs(t0);
-    float v2 = S / 2.0;
-    float u2 = v2 <= 7.523164e-37 ? c2 : v2;
-    float u = sqrt(u2);
+    float S = max(A + abs(t0), 8.881784e-16);
+    float u = sqrt(2.0 * S);
     float a = t0 < 0.0 ? Z : S;
-    float ac = a * c;
-    float F = (E * E + Z2) * u2;
-    float G_s = (A + c2) * u + ac;
-    float D_s = max(F + 2.0 * ac * G_s, 7.523164e-37);
+    float h = 2.0 * (a * c);
+    float F = (E * E + Z2) * S;
+    float G_s = (A + c2) * u + h;
+    float D_s = max(F + h * G_s, 1.1754944e-38);
     float R_s = F / D_s;
-    float acs = ac * sin2;
-    float N = (n_t * n_t - k2) * cos2 - n_i * s2;
-    float t = Z * cos2;
-    float B = (N * N + t * t) * u2;
-    float G_p = (A * cos2 + s2 * s2) * u + acs;
-    float D_p = max(B + 2.0 * acs * G_p, 7.523164e-37);
+    float h_p = h * sin2;
+    float N = t0 * cos2 - s4;
+    float M = Z * cos2;
+    float B = (N * N + M * M) * S;
+    float G_p = (A * cos2 + s4) * u + h_p;
+    float D_p = B + h_p * G_p;
     float R_p = R_s * (B / D_p);
-    float T_s = F <= 0.0 ? 1.0 - R_s : 2.0 * (a * (G_s / D_s)) * c;
-    float T_p = T_s + R_s * (2.0 * (a * (G_p / D_p)) * (c * sin2));
+    float T_s = F <= 0.0 ? 1.0 - R_s : h * (G_s / D_s);
+    float T_p = T_s + R_s * (h_p * (G_p / D_p));
     return fresnel_boundary(R_s, R_p, min(T_s, 1.0), min(T_p, 1.0));
 }
 
@@ -326,24 +338,24 @@ fresnel_boundary dielectric_fast_boundary(float n_i, float n_t, float cos_i) {
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 3e-6 for metals, 1e-4 for dielectrics, no digit left near an index match
-// cost    53 operations
+// cost    51 operations
 // source  Lagarde 2013, Memo on Fresnel equations, after Shirley
 float conductor_fast(float n_i, float n_t, float k_t, float cos_i) {
     float c = n_i * cos_i;
     float c2 = c * c;
     float cos2 = cos_i * cos_i;
     float sin2 = 1.0 - cos2;
-    float t0 = (n_t - n_i) * (n_t + n_i) - k_t * k_t + c2;
+    float s2 = n_i * sin2;
+    float t0 = n_t * n_t - n_i * s2 - k_t * k_t;
     float nk2 = 2.0 * (n_t * k_t);
     float A = sqrt(t0 * t0 + nk2 * nk2);
     float a2 = 2.0 * (A + t0);
     float a = a2 <= 0.0 ? 0.0 : sqrt(a2);
     float t1 = A + c2;
     float t2 = min(a * c, t1);
-    float t = n_i * sin2;
-    float t3 = max(cos2 * A + t * t, 7.523164e-37);
+    float t3 = cos2 * A + s2 * s2;
     float t4 = min(t2 * sin2, t3);
-    float D_s = max(t1 + t2, 7.523164e-37);
+    float D_s = max(t1 + t2, 1.1754944e-38);
     float D_p = t3 + t4;
     float R_s = (t1 - t2) / D_s;
     float R_p = R_s * ((t3 - t4) / D_p);
@@ -370,17 +382,17 @@ fresnel_boundary conductor_fast_boundary(float n_i, float n_t, float k_t, float 
     float c2 = c * c;
     float cos2 = cos_i * cos_i;
     float sin2 = 1.0 - cos2;
-    float t0 = (n_t - n_i) * (n_t + n_i) - k_t * k_t + c2;
+    float s2 = n_i * sin2;
+    float t0 = n_t * n_t - n_i * s2 - k_t * k_t;
     float nk2 = 2.0 * (n_t * k_t);
     float A = sqrt(t0 * t0 + nk2 * nk2);
     float a2 = 2.0 * (A + t0);
     float a = a2 <= 0.0 ? 0.0 : sqrt(a2);
     float t1 = A + c2;
     float t2 = min(a * c, t1);
-    float t = n_i * sin2;
-    float t3 = max(cos2 * A + t * t, 7.523164e-37);
+    float t3 = cos2 * A + s2 * s2;
     float t4 = min(t2 * sin2, t3);
-    float D_s = max(t1 + t2, 7.523164e-37);
+    float D_s = max(t1 + t2, 1.1754944e-38);
     float D_p = t3 + t4;
     float R_s = (t1 - t2) / D_s;
     float R_p = R_s * ((t3 - t4) / D_p);
@@ -917,13 +929,13 @@ vec3 powers_4_8(vec3 f0, vec3 normal, vec3 direction) {
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
 // error   at most 0.0328, certified: eta in [1.3, 2.5], from outside, f0 exact
-// cost    12 operations
+// cost    13 operations
 // source  this library
 float powers_3_9(float f0, float cos_i) {
     float a = max(0.46, f0);
     float m = 1.0 - cos_i;
     float m3 = m * m * m;
-    return min(f0 + m3 * (a - f0 + (1.0 - a) * (m3 * m3)), 1.0);
+    return clamp(f0 + m3 * (a - f0 + (1.0 - a) * (m3 * m3)), 0.0, 1.0);
 }
 
 float powers_3_9(float f0, vec3 normal, vec3 direction) {
@@ -935,7 +947,7 @@ vec3 powers_3_9(vec3 f0, float cos_i) {
     vec3 a = max(vec3(0.46), f0);
     float m = 1.0 - cos_i;
     float m3 = m * m * m;
-    return min(f0 + m3 * (a - f0 + (1.0 - a) * (m3 * m3)), vec3(1.0));
+    return clamp(f0 + m3 * (a - f0 + (1.0 - a) * (m3 * m3)), 0.0, 1.0);
 }
 
 vec3 powers_3_9(vec3 f0, vec3 normal, vec3 direction) {
@@ -1118,7 +1130,7 @@ vec3 lazanyi(vec3 n, vec3 k, vec3 a, vec3 alpha, vec3 normal, vec3 direction) {
 // g       edge tint, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
 // error   at most 1e-13, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
-// cost    104 operations
+// cost    97 operations
 // source  Gulbrandsen 2014, Artist Friendly Metallic Fresnel
 float gulbrandsen(float r, float g, float cos_i) {
     float f0 = min(r, 0.9999) + 8.271806e-25;
@@ -1130,29 +1142,27 @@ float gulbrandsen(float r, float g, float cos_i) {
     float n = n_max + (n_min - n_max) * g;
     float k = sqrt(max((n_max - n) * (n - one_minus_f0 / t_2), 0.0) + 8.271806e-25);
     float c2 = cos_i * cos_i;
-    float sin2 = (1.0 - cos_i) * (1.0 + cos_i);
-    float k2 = k * k;
-    float E = (n - 1.0) * (n + 1.0) - k2;
+    float sin2 = 1.0 - c2;
+    float s4 = sin2 * sin2;
+    float E = (n - 1.0) * (n + 1.0) - k * k;
     float Z = 2.0 * (n * k);
     float Z2 = Z * Z;
     float t0 = E + c2;
     float A = sqrt(t0 * t0 + Z2);
-    float S = A + abs(t0);
-    float v2 = S / 2.0;
-    float u2 = v2 <= 7.523164e-37 ? c2 : v2;
-    float u = sqrt(u2);
+    float S = max(A + abs(t0), 8.881784e-16);
+    float u = sqrt(2.0 * S);
     float a = t0 < 0.0 ? Z : S;
-    float ac = a * cos_i;
-    float F = (E * E + Z2) * u2;
-    float G_s = (A + c2) * u + ac;
-    float D_s = max(F + 2.0 * ac * G_s, 7.523164e-37);
+    float h = 2.0 * (a * cos_i);
+    float F = (E * E + Z2) * S;
+    float G_s = (A + c2) * u + h;
+    float D_s = max(F + h * G_s, 1.1754944e-38);
     float R_s = F / D_s;
-    float acs = ac * sin2;
-    float N = (n * n - k2) * c2 - sin2;
-    float t_3 = Z * c2;
-    float B = (N * N + t_3 * t_3) * u2;
-    float G_p = (A * c2 + sin2 * sin2) * u + acs;
-    float D_p = max(B + 2.0 * acs * G_p, 7.523164e-37);
+    float h_p = h * sin2;
+    float N = t0 * c2 - s4;
+    float M = Z * c2;
+    float B = (N * N + M * M) * S;
+    float G_p = (A * c2 + s4) * u + h_p;
+    float D_p = B + h_p * G_p;
     float R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0;
 }

@@ -108,23 +108,23 @@ fn eta_from_f0(f0: f32) -> f32 {
 // n_t     index behind it, [0.001, 1000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 2e-6, up to 6e-2 at a critical angle
-// cost    41 operations
+// cost    37 operations
 // source  Fresnel 1823
 fn dielectric(n_i: f32, n_t: f32, cos_i: f32) -> f32 {
     let c = n_i * cos_i;
-    let s2 = n_i * ((1.0 - cos_i) * (1.0 + cos_i));
+    let s2 = n_i * (1.0 - cos_i * cos_i);
     let E = (n_t - n_i) * (n_t + n_i);
     let g2 = E + c * c;
-    let g = select(sqrt(g2), 0.0, g2 <= 0.0);
+    let g = sqrt(max(g2, 1.1754944e-38));
     let E2 = E * E;
-    let w = 4.0 * (c * g);
-    let t = g + c;
-    let a2 = t * t;
-    let D_s = max(E2 + w * a2, 7.523164e-37);
+    let cg = c * g;
+    let a = 2.0 * (g + c);
+    let a2 = a * a;
+    let D_s = max(E2 + cg * a2, 1.1754944e-38);
     let R_s = E2 / D_s;
     let x = cos_i * g;
     let b = x + s2;
-    let q = select((x - s2) / b, 1.0, b <= 0.0);
+    let q = (x - s2) / b;
     let R_p = R_s * (q * q);
     return (R_s + R_p) / 2.0;
 }
@@ -135,7 +135,22 @@ fn dielectric_dir(n_i: f32, n_t: f32, normal: vec3f, direction: vec3f) -> f32 {
 
 // The same for three channels, which share the angle.
 fn dielectric_rgb(n_i: f32, n_t: vec3f, cos_i: f32) -> vec3f {
-    return vec3f(dielectric(n_i, n_t.x, cos_i), dielectric(n_i, n_t.y, cos_i), dielectric(n_i, n_t.z, cos_i));
+    let c = n_i * cos_i;
+    let s2 = n_i * (1.0 - cos_i * cos_i);
+    let E = (n_t - n_i) * (n_t + n_i);
+    let g2 = E + c * c;
+    let g = sqrt(max(g2, vec3f(1.1754944e-38)));
+    let E2 = E * E;
+    let cg = c * g;
+    let a = 2.0 * (g + c);
+    let a2 = a * a;
+    let D_s = max(E2 + cg * a2, vec3f(1.1754944e-38));
+    let R_s = E2 / D_s;
+    let x = cos_i * g;
+    let b = x + s2;
+    let q = (x - s2) / b;
+    let R_p = R_s * (q * q);
+    return (R_s + R_p) / 2.0;
 }
 
 fn dielectric_rgb_dir(n_i: f32, n_t: vec3f, normal: vec3f, direction: vec3f) -> vec3f {
@@ -145,23 +160,24 @@ fn dielectric_rgb_dir(n_i: f32, n_t: vec3f, normal: vec3f, direction: vec3f) -> 
 // Reflectances and transmittances of both polarisations.
 fn dielectric_boundary(n_i: f32, n_t: f32, cos_i: f32) -> fresnel_boundary {
     let c = n_i * cos_i;
-    let s2 = n_i * ((1.0 - cos_i) * (1.0 + cos_i));
+    let s2 = n_i * (1.0 - cos_i * cos_i);
     let E = (n_t - n_i) * (n_t + n_i);
     let g2 = E + c * c;
-    let g = select(sqrt(g2), 0.0, g2 <= 0.0);
+    let g = sqrt(max(g2, 1.1754944e-38));
     let E2 = E * E;
-    let w = 4.0 * (c * g);
-    let t = g + c;
-    let a2 = t * t;
-    let D_s = max(E2 + w * a2, 7.523164e-37);
+    let cg = c * g;
+    let a = 2.0 * (g + c);
+    let a2 = a * a;
+    let D_s = max(E2 + cg * a2, 1.1754944e-38);
     let R_s = E2 / D_s;
     let x = cos_i * g;
     let b = x + s2;
-    let D_p = select(b, 1.0, b <= 0.0);
-    let q = select((x - s2) / b, 1.0, b <= 0.0);
+    let q = (x - s2) / b;
     let R_p = R_s * (q * q);
-    let T_s = select(w * (a2 / D_s), 1.0 - R_s, E2 <= 0.0);
-    let T_p = T_s + R_s * (4.0 * (x * s2) / (D_p * D_p));
+    let through_s = select(cg * (a2 / D_s), 0.0, g2 <= 0.0);
+    let through_p = select(4.0 * (x * s2) / (b * b), 0.0, g2 <= 0.0);
+    let T_s = select(through_s, 1.0 - R_s, E2 <= 0.0);
+    let T_p = T_s + R_s * through_p;
     return fresnel_boundary(R_s, R_p, min(T_s, 1.0), min(T_p, 1.0));
 }
 
@@ -174,36 +190,34 @@ fn dielectric_boundary(n_i: f32, n_t: f32, cos_i: f32) -> fresnel_boundary {
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 2e-6, up to 6e-2 at a critical angle of k_t = 0
-// cost    74 operations
+// cost    66 operations
 // source  Born and Wolf 1999, Principles of Optics, sec. 14.2
 fn conductor(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let c = n_i * cos_i;
     let c2 = c * c;
     let cos2 = cos_i * cos_i;
-    let sin2 = (1.0 - cos_i) * (1.0 + cos_i);
+    let sin2 = 1.0 - cos2;
     let s2 = n_i * sin2;
-    let k2 = k_t * k_t;
-    let E = (n_t - n_i) * (n_t + n_i) - k2;
+    let s4 = s2 * s2;
+    let E = (n_t - n_i) * (n_t + n_i) - k_t * k_t;
     let Z = 2.0 * (n_t * k_t);
     let Z2 = Z * Z;
     let t0 = E + c2;
     let A = sqrt(t0 * t0 + Z2);
-    let S = A + abs(t0);
-    let v2 = S / 2.0;
-    let u2 = select(v2, c2, v2 <= 7.523164e-37);
-    let u = sqrt(u2);
+    let S = max(A + abs(t0), 8.881784e-16);
+    let u = sqrt(2.0 * S);
     let a = select(S, Z, t0 < 0.0);
-    let ac = a * c;
-    let F = (E * E + Z2) * u2;
-    let G_s = (A + c2) * u + ac;
-    let D_s = max(F + 2.0 * ac * G_s, 7.523164e-37);
+    let h = 2.0 * (a * c);
+    let F = (E * E + Z2) * S;
+    let G_s = (A + c2) * u + h;
+    let D_s = max(F + h * G_s, 1.1754944e-38);
     let R_s = F / D_s;
-    let acs = ac * sin2;
-    let N = (n_t * n_t - k2) * cos2 - n_i * s2;
-    let t = Z * cos2;
-    let B = (N * N + t * t) * u2;
-    let G_p = (A * cos2 + s2 * s2) * u + acs;
-    let D_p = max(B + 2.0 * acs * G_p, 7.523164e-37);
+    let h_p = h * sin2;
+    let N = t0 * cos2 - s4;
+    let M = Z * cos2;
+    let B = (N * N + M * M) * S;
+    let G_p = (A * cos2 + s4) * u + h_p;
+    let D_p = B + h_p * G_p;
     let R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0;
 }
@@ -227,33 +241,31 @@ fn conductor_boundary(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> fresnel_bound
     let c = n_i * cos_i;
     let c2 = c * c;
     let cos2 = cos_i * cos_i;
-    let sin2 = (1.0 - cos_i) * (1.0 + cos_i);
+    let sin2 = 1.0 - cos2;
     let s2 = n_i * sin2;
-    let k2 = k_t * k_t;
-    let E = (n_t - n_i) * (n_t + n_i) - k2;
+    let s4 = s2 * s2;
+    let E = (n_t - n_i) * (n_t + n_i) - k_t * k_t;
     let Z = 2.0 * (n_t * k_t);
     let Z2 = Z * Z;
     let t0 = E + c2;
     let A = sqrt(t0 * t0 + Z2);
-    let S = A + abs(t0);
-    let v2 = S / 2.0;
-    let u2 = select(v2, c2, v2 <= 7.523164e-37);
-    let u = sqrt(u2);
+    let S = max(A + abs(t0), 8.881784e-16);
+    let u = sqrt(2.0 * S);
     let a = select(S, Z, t0 < 0.0);
-    let ac = a * c;
-    let F = (E * E + Z2) * u2;
-    let G_s = (A + c2) * u + ac;
-    let D_s = max(F + 2.0 * ac * G_s, 7.523164e-37);
+    let h = 2.0 * (a * c);
+    let F = (E * E + Z2) * S;
+    let G_s = (A + c2) * u + h;
+    let D_s = max(F + h * G_s, 1.1754944e-38);
     let R_s = F / D_s;
-    let acs = ac * sin2;
-    let N = (n_t * n_t - k2) * cos2 - n_i * s2;
-    let t = Z * cos2;
-    let B = (N * N + t * t) * u2;
-    let G_p = (A * cos2 + s2 * s2) * u + acs;
-    let D_p = max(B + 2.0 * acs * G_p, 7.523164e-37);
+    let h_p = h * sin2;
+    let N = t0 * cos2 - s4;
+    let M = Z * cos2;
+    let B = (N * N + M * M) * S;
+    let G_p = (A * cos2 + s4) * u + h_p;
+    let D_p = B + h_p * G_p;
     let R_p = R_s * (B / D_p);
-    let T_s = select(2.0 * (a * (G_s / D_s)) * c, 1.0 - R_s, F <= 0.0);
-    let T_p = T_s + R_s * (2.0 * (a * (G_p / D_p)) * (c * sin2));
+    let T_s = select(h * (G_s / D_s), 1.0 - R_s, F <= 0.0);
+    let T_p = T_s + R_s * (h_p * (G_p / D_p));
     return fresnel_boundary(R_s, R_p, min(T_s, 1.0), min(T_p, 1.0));
 }
 
@@ -325,24 +337,24 @@ fn dielectric_fast_boundary(n_i: f32, n_t: f32, cos_i: f32) -> fresnel_boundary 
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 3e-6 for metals, 1e-4 for dielectrics, no digit left near an index match
-// cost    53 operations
+// cost    51 operations
 // source  Lagarde 2013, Memo on Fresnel equations, after Shirley
 fn conductor_fast(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let c = n_i * cos_i;
     let c2 = c * c;
     let cos2 = cos_i * cos_i;
     let sin2 = 1.0 - cos2;
-    let t0 = (n_t - n_i) * (n_t + n_i) - k_t * k_t + c2;
+    let s2 = n_i * sin2;
+    let t0 = n_t * n_t - n_i * s2 - k_t * k_t;
     let nk2 = 2.0 * (n_t * k_t);
     let A = sqrt(t0 * t0 + nk2 * nk2);
     let a2 = 2.0 * (A + t0);
     let a = select(sqrt(a2), 0.0, a2 <= 0.0);
     let t1 = A + c2;
     let t2 = min(a * c, t1);
-    let t = n_i * sin2;
-    let t3 = max(cos2 * A + t * t, 7.523164e-37);
+    let t3 = cos2 * A + s2 * s2;
     let t4 = min(t2 * sin2, t3);
-    let D_s = max(t1 + t2, 7.523164e-37);
+    let D_s = max(t1 + t2, 1.1754944e-38);
     let D_p = t3 + t4;
     let R_s = (t1 - t2) / D_s;
     let R_p = R_s * ((t3 - t4) / D_p);
@@ -369,17 +381,17 @@ fn conductor_fast_boundary(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> fresnel_
     let c2 = c * c;
     let cos2 = cos_i * cos_i;
     let sin2 = 1.0 - cos2;
-    let t0 = (n_t - n_i) * (n_t + n_i) - k_t * k_t + c2;
+    let s2 = n_i * sin2;
+    let t0 = n_t * n_t - n_i * s2 - k_t * k_t;
     let nk2 = 2.0 * (n_t * k_t);
     let A = sqrt(t0 * t0 + nk2 * nk2);
     let a2 = 2.0 * (A + t0);
     let a = select(sqrt(a2), 0.0, a2 <= 0.0);
     let t1 = A + c2;
     let t2 = min(a * c, t1);
-    let t = n_i * sin2;
-    let t3 = max(cos2 * A + t * t, 7.523164e-37);
+    let t3 = cos2 * A + s2 * s2;
     let t4 = min(t2 * sin2, t3);
-    let D_s = max(t1 + t2, 7.523164e-37);
+    let D_s = max(t1 + t2, 1.1754944e-38);
     let D_p = t3 + t4;
     let R_s = (t1 - t2) / D_s;
     let R_p = R_s * ((t3 - t4) / D_p);
@@ -916,13 +928,13 @@ fn powers_4_8_rgb_dir(f0: vec3f, normal: vec3f, direction: vec3f) -> vec3f {
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
 // error   at most 0.0328, certified: eta in [1.3, 2.5], from outside, f0 exact
-// cost    12 operations
+// cost    13 operations
 // source  this library
 fn powers_3_9(f0: f32, cos_i: f32) -> f32 {
     let a = max(0.46, f0);
     let m = 1.0 - cos_i;
     let m3 = m * m * m;
-    return min(f0 + m3 * (a - f0 + (1.0 - a) * (m3 * m3)), 1.0);
+    return saturate(f0 + m3 * (a - f0 + (1.0 - a) * (m3 * m3)));
 }
 
 fn powers_3_9_dir(f0: f32, normal: vec3f, direction: vec3f) -> f32 {
@@ -934,7 +946,7 @@ fn powers_3_9_rgb(f0: vec3f, cos_i: f32) -> vec3f {
     let a = max(vec3f(0.46), f0);
     let m = 1.0 - cos_i;
     let m3 = m * m * m;
-    return min(f0 + m3 * (a - f0 + (1.0 - a) * (m3 * m3)), vec3f(1.0));
+    return saturate(f0 + m3 * (a - f0 + (1.0 - a) * (m3 * m3)));
 }
 
 fn powers_3_9_rgb_dir(f0: vec3f, normal: vec3f, direction: vec3f) -> vec3f {
@@ -1117,7 +1129,7 @@ fn lazanyi_rgb_dir(n: vec3f, k: vec3f, a: vec3f, alpha: vec3f, normal: vec3f, di
 // g       edge tint, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
 // error   at most 1e-13, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
-// cost    104 operations
+// cost    97 operations
 // source  Gulbrandsen 2014, Artist Friendly Metallic Fresnel
 fn gulbrandsen(r: f32, g: f32, cos_i: f32) -> f32 {
     let f0 = min(r, 0.9999) + 8.271806e-25;
@@ -1129,29 +1141,27 @@ fn gulbrandsen(r: f32, g: f32, cos_i: f32) -> f32 {
     let n = n_max + (n_min - n_max) * g;
     let k = sqrt(max((n_max - n) * (n - one_minus_f0 / t_2), 0.0) + 8.271806e-25);
     let c2 = cos_i * cos_i;
-    let sin2 = (1.0 - cos_i) * (1.0 + cos_i);
-    let k2 = k * k;
-    let E = (n - 1.0) * (n + 1.0) - k2;
+    let sin2 = 1.0 - c2;
+    let s4 = sin2 * sin2;
+    let E = (n - 1.0) * (n + 1.0) - k * k;
     let Z = 2.0 * (n * k);
     let Z2 = Z * Z;
     let t0 = E + c2;
     let A = sqrt(t0 * t0 + Z2);
-    let S = A + abs(t0);
-    let v2 = S / 2.0;
-    let u2 = select(v2, c2, v2 <= 7.523164e-37);
-    let u = sqrt(u2);
+    let S = max(A + abs(t0), 8.881784e-16);
+    let u = sqrt(2.0 * S);
     let a = select(S, Z, t0 < 0.0);
-    let ac = a * cos_i;
-    let F = (E * E + Z2) * u2;
-    let G_s = (A + c2) * u + ac;
-    let D_s = max(F + 2.0 * ac * G_s, 7.523164e-37);
+    let h = 2.0 * (a * cos_i);
+    let F = (E * E + Z2) * S;
+    let G_s = (A + c2) * u + h;
+    let D_s = max(F + h * G_s, 1.1754944e-38);
     let R_s = F / D_s;
-    let acs = ac * sin2;
-    let N = (n * n - k2) * c2 - sin2;
-    let t_3 = Z * c2;
-    let B = (N * N + t_3 * t_3) * u2;
-    let G_p = (A * c2 + sin2 * sin2) * u + acs;
-    let D_p = max(B + 2.0 * acs * G_p, 7.523164e-37);
+    let h_p = h * sin2;
+    let N = t0 * c2 - s4;
+    let M = Z * c2;
+    let B = (N * N + M * M) * S;
+    let G_p = (A * c2 + s4) * u + h_p;
+    let D_p = B + h_p * G_p;
     let R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0;
 }
