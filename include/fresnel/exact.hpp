@@ -66,18 +66,17 @@ template <class T>
 boundary<T> dielectric(T n_i, T n_t, T cos_i) {
     const T c = let("c", n_i * cos_i);
     const T s2 = let("s2", n_i * (1 - cos_i * cos_i));
-    const T E = let("E", (n_t - n_i) * (n_t + n_i)); // eta^2 - 1
+    const T E = let("E", (n_t - n_i) * (n_t + n_i), "eta^2 - 1");
 
-    // Snell: g = eta cos_t; under total internal reflection so little that R is 1
-    const T g2 = let("g2", E + c * c);
-    const T g = let("g", sqrt(max(g2, negligible<T>())));
+    // Snell
+    const T g2 = let("g2", E + c * c, "below 0 under total internal reflection");
+    const T g = let("g", sqrt(max(g2, negligible<T>())), "eta cos_t; so little there that R is 1");
 
     const T E2 = let("E2", E * E);
     const T cg = let("cg", c * g);
     const T a = let("a", 2 * (g + c));
     const T a2 = let("a2", a * a);
-    const T D_s = // below it only for equal media at grazing incidence
-        let("D_s", max(E2 + cg * a2, negligible<T>()));
+    const T D_s = let("D_s", max(E2 + cg * a2, negligible<T>()), "0 only for equal media at cos_i = 0");
     const T R_s = let("R_s", E2 / D_s);
 
     const T x = let("x", cos_i * g);
@@ -183,29 +182,29 @@ boundary<T> conductor(T n_i, T n_t, T k_t, T cos_i) {
     const T s2 = let("s2", n_i * sin2);
     const T s4 = let("s4", s2 * s2);
 
-    // Snell: q^2 = t0 + i Z
-    const T E = let("E", (n_t - n_i) * (n_t + n_i) - k_t * k_t); // Re m^2 - 1
-    const T Z = let("Z", 2 * (n_t * k_t));                       // Im m^2
+    // Snell
+    const T E = let("E", (n_t - n_i) * (n_t + n_i) - k_t * k_t, "Re m^2 - 1");
+    const T Z = let("Z", 2 * (n_t * k_t), "Im m^2");
     const T Z2 = let("Z2", Z * Z);
-    const T t0 = let("t0", E + c2);
-    const T A = let("A", sqrt(t0 * t0 + Z2));
-    const T S = let("S", max(A + abs(t0), least_square<T>())); // below it only at the critical angle
-    const T u = let("u", sqrt(2 * S));                         // twice the larger of a and b
-    const T a = let("a", select(t0 < 0, Z, S));                // u a
+    const T t0 = let("t0", E + c2, "q^2 = t0 + i Z");
+    const T A = let("A", sqrt(t0 * t0 + Z2), "|q|^2");
+    const T S = let("S", max(A + abs(t0), least_square<T>()), "0 only at the critical angle");
+    const T u = let("u", sqrt(2 * S), "twice the larger of Re q and Im q");
+    const T a = let("a", select(t0 < 0, Z, S), "u Re q");
 
     const T h = let("h", 2 * (a * c));
-    const T F = let("F", (E * E + Z2) * S);
+    const T F = let("F", (E * E + Z2) * S, "|c - q|^2 |c + q|^2");
     const T G_s = let("G_s", (A + c2) * u + h);
     const T D_s =
-        let("D_s", max(F + h * G_s, negligible<T>())); // below it only for equal media at grazing incidence
+        let("D_s", max(F + h * G_s, negligible<T>()), "|c + q|^4; 0 only for equal media at cos_i = 0");
     const T R_s = let("R_s", F / D_s);
 
     const T h_p = let("h_p", h * sin2);
-    const T N = let("N", t0 * cos2 - s4); // Re m^2 c^2 - s^2
-    const T M = let("M", Z * cos2);       // Im m^2 c^2
-    const T B = let("B", (N * N + M * M) * S);
+    const T N = let("N", t0 * cos2 - s4);
+    const T M = let("M", Z * cos2);
+    const T B = let("B", (N * N + M * M) * S, "|q c - s^2|^2 |q c + s^2|^2");
     const T G_p = let("G_p", (A * cos2 + s4) * u + h_p);
-    const T D_p = let("D_p", B + h_p * G_p);
+    const T D_p = let("D_p", B + h_p * G_p, "|q c + s^2|^4");
     const T R_p = let("R_p", R_s * (B / D_p));
 
     const T T_s = let("T_s", select(F <= 0, 1 - R_s, h * (G_s / D_s)));
@@ -231,8 +230,8 @@ boundary<T> conductor_fast(T n_i, T n_t, T k_t, T cos_i) {
     const T s2 = let("s2", n_i * sin2);
     const T t0 = let("t0", n_t * n_t - n_i * s2 - k_t * k_t);
     const T nk2 = let("nk2", 2 * (n_t * k_t));
-    const T A = let("A", sqrt(t0 * t0 + nk2 * nk2)); // a^2 + b^2
-    const T a2 = let("a2", 2 * (A + t0));            // (2 a)^2
+    const T A = let("A", sqrt(t0 * t0 + nk2 * nk2), "a^2 + b^2");
+    const T a2 = let("a2", 2 * (A + t0), "(2 a)^2");
     const T a = let("a", select(a2 <= 0, T(0), sqrt(select(a2 <= 0, T(1), a2))));
 
     const T t1 = let("t1", A + c2);

@@ -114,7 +114,7 @@ static inline float eta_from_f0(float f0) {
 
 // Exact reflectance between two transparent media, accurate in float everywhere.
 //
-//   R_s = E^2 / (E^2 + 4 c g (g + c)^2), R_p = R_s ((c g - s^2) / (c g + s^2))^2, E = eta^2 - 1, 
+//   R_s = E^2 / (E^2 + 4 c g (g + c)^2), R_p = R_s ((c g - s^2) / (c g + s^2))^2, E = eta^2 - 1,
 //   g^2 = E + c^2
 //
 // n_i     index in front of the surface, [0.01, 100]
@@ -126,14 +126,14 @@ static inline float eta_from_f0(float f0) {
 static inline float dielectric(float n_i, float n_t, float cos_i) {
     const float c = n_i * cos_i;
     const float s2 = n_i * (1.0f - cos_i * cos_i);
-    const float E = (n_t - n_i) * (n_t + n_i);
-    const float g2 = E + c * c;
-    const float g = sqrtf(fmaxf(g2, 1.1754944e-38f));
+    const float E = (n_t - n_i) * (n_t + n_i); // eta^2 - 1
+    const float g2 = E + c * c; // below 0 under total internal reflection
+    const float g = sqrtf(fmaxf(g2, 1.1754944e-38f)); // eta cos_t; so little there that R is 1
     const float E2 = E * E;
     const float cg = c * g;
     const float a = 2.0f * (g + c);
     const float a2 = a * a;
-    const float D_s = fmaxf(E2 + cg * a2, 1.1754944e-38f);
+    const float D_s = fmaxf(E2 + cg * a2, 1.1754944e-38f); // 0 only for equal media at cos_i = 0
     const float R_s = E2 / D_s;
     const float x = cos_i * g;
     const float b = x + s2;
@@ -162,14 +162,14 @@ static inline fresnel_float3 dielectric_rgb_dir(float n_i, fresnel_float3 n_t, f
 static inline fresnel_boundary dielectric_boundary(float n_i, float n_t, float cos_i) {
     const float c = n_i * cos_i;
     const float s2 = n_i * (1.0f - cos_i * cos_i);
-    const float E = (n_t - n_i) * (n_t + n_i);
-    const float g2 = E + c * c;
-    const float g = sqrtf(fmaxf(g2, 1.1754944e-38f));
+    const float E = (n_t - n_i) * (n_t + n_i); // eta^2 - 1
+    const float g2 = E + c * c; // below 0 under total internal reflection
+    const float g = sqrtf(fmaxf(g2, 1.1754944e-38f)); // eta cos_t; so little there that R is 1
     const float E2 = E * E;
     const float cg = c * g;
     const float a = 2.0f * (g + c);
     const float a2 = a * a;
-    const float D_s = fmaxf(E2 + cg * a2, 1.1754944e-38f);
+    const float D_s = fmaxf(E2 + cg * a2, 1.1754944e-38f); // 0 only for equal media at cos_i = 0
     const float R_s = E2 / D_s;
     const float x = cos_i * g;
     const float b = x + s2;
@@ -201,25 +201,25 @@ static inline float conductor(float n_i, float n_t, float k_t, float cos_i) {
     const float sin2 = 1.0f - cos2;
     const float s2 = n_i * sin2;
     const float s4 = s2 * s2;
-    const float E = (n_t - n_i) * (n_t + n_i) - k_t * k_t;
-    const float Z = 2.0f * (n_t * k_t);
+    const float E = (n_t - n_i) * (n_t + n_i) - k_t * k_t; // Re m^2 - 1
+    const float Z = 2.0f * (n_t * k_t); // Im m^2
     const float Z2 = Z * Z;
-    const float t0 = E + c2;
-    const float A = sqrtf(t0 * t0 + Z2);
-    const float S = fmaxf(A + fabsf(t0), 8.881784e-16f);
-    const float u = sqrtf(2.0f * S);
-    const float a = t0 < 0.0f ? Z : S;
+    const float t0 = E + c2; // q^2 = t0 + i Z
+    const float A = sqrtf(t0 * t0 + Z2); // |q|^2
+    const float S = fmaxf(A + fabsf(t0), 8.881784e-16f); // 0 only at the critical angle
+    const float u = sqrtf(2.0f * S); // twice the larger of Re q and Im q
+    const float a = t0 < 0.0f ? Z : S; // u Re q
     const float h = 2.0f * (a * c);
-    const float F = (E * E + Z2) * S;
+    const float F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
     const float G_s = (A + c2) * u + h;
-    const float D_s = fmaxf(F + h * G_s, 1.1754944e-38f);
+    const float D_s = fmaxf(F + h * G_s, 1.1754944e-38f); // |c + q|^4; 0 only for equal media at cos_i = 0
     const float R_s = F / D_s;
     const float h_p = h * sin2;
     const float N = t0 * cos2 - s4;
     const float M = Z * cos2;
-    const float B = (N * N + M * M) * S;
+    const float B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
     const float G_p = (A * cos2 + s4) * u + h_p;
-    const float D_p = B + h_p * G_p;
+    const float D_p = B + h_p * G_p; // |q c + s^2|^4
     const float R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0f;
 }
@@ -249,25 +249,25 @@ static inline fresnel_boundary conductor_boundary(float n_i, float n_t, float k_
     const float sin2 = 1.0f - cos2;
     const float s2 = n_i * sin2;
     const float s4 = s2 * s2;
-    const float E = (n_t - n_i) * (n_t + n_i) - k_t * k_t;
-    const float Z = 2.0f * (n_t * k_t);
+    const float E = (n_t - n_i) * (n_t + n_i) - k_t * k_t; // Re m^2 - 1
+    const float Z = 2.0f * (n_t * k_t); // Im m^2
     const float Z2 = Z * Z;
-    const float t0 = E + c2;
-    const float A = sqrtf(t0 * t0 + Z2);
-    const float S = fmaxf(A + fabsf(t0), 8.881784e-16f);
-    const float u = sqrtf(2.0f * S);
-    const float a = t0 < 0.0f ? Z : S;
+    const float t0 = E + c2; // q^2 = t0 + i Z
+    const float A = sqrtf(t0 * t0 + Z2); // |q|^2
+    const float S = fmaxf(A + fabsf(t0), 8.881784e-16f); // 0 only at the critical angle
+    const float u = sqrtf(2.0f * S); // twice the larger of Re q and Im q
+    const float a = t0 < 0.0f ? Z : S; // u Re q
     const float h = 2.0f * (a * c);
-    const float F = (E * E + Z2) * S;
+    const float F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
     const float G_s = (A + c2) * u + h;
-    const float D_s = fmaxf(F + h * G_s, 1.1754944e-38f);
+    const float D_s = fmaxf(F + h * G_s, 1.1754944e-38f); // |c + q|^4; 0 only for equal media at cos_i = 0
     const float R_s = F / D_s;
     const float h_p = h * sin2;
     const float N = t0 * cos2 - s4;
     const float M = Z * cos2;
-    const float B = (N * N + M * M) * S;
+    const float B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
     const float G_p = (A * cos2 + s4) * u + h_p;
-    const float D_p = B + h_p * G_p;
+    const float D_p = B + h_p * G_p; // |q c + s^2|^4
     const float R_p = R_s * (B / D_p);
     const float T_s = F <= 0.0f ? 1.0f - R_s : h * (G_s / D_s);
     const float T_p = T_s + R_s * (h_p * (G_p / D_p));
@@ -358,8 +358,8 @@ static inline float conductor_fast(float n_i, float n_t, float k_t, float cos_i)
     const float s2 = n_i * sin2;
     const float t0 = n_t * n_t - n_i * s2 - k_t * k_t;
     const float nk2 = 2.0f * (n_t * k_t);
-    const float A = sqrtf(t0 * t0 + nk2 * nk2);
-    const float a2 = 2.0f * (A + t0);
+    const float A = sqrtf(t0 * t0 + nk2 * nk2); // a^2 + b^2
+    const float a2 = 2.0f * (A + t0); // (2 a)^2
     const float a = a2 <= 0.0f ? 0.0f : sqrtf(a2);
     const float t1 = A + c2;
     const float t2 = fminf(a * c, t1);
@@ -399,8 +399,8 @@ static inline fresnel_boundary conductor_fast_boundary(float n_i, float n_t, flo
     const float s2 = n_i * sin2;
     const float t0 = n_t * n_t - n_i * s2 - k_t * k_t;
     const float nk2 = 2.0f * (n_t * k_t);
-    const float A = sqrtf(t0 * t0 + nk2 * nk2);
-    const float a2 = 2.0f * (A + t0);
+    const float A = sqrtf(t0 * t0 + nk2 * nk2); // a^2 + b^2
+    const float a2 = 2.0f * (A + t0); // (2 a)^2
     const float a = a2 <= 0.0f ? 0.0f : sqrtf(a2);
     const float t1 = A + c2;
     const float t2 = fminf(a * c, t1);
@@ -985,7 +985,7 @@ static inline fresnel_float3 powers_3_9_rgb_dir(fresnel_float3 f0, fresnel_float
 
 // Three powers with coefficients in sqrt(f0), a tenth of Schlick's error on dielectrics.
 //
-//   F = f0 + y (p + y (q + y r)), y = (1 - cos_i)^3, p and q linear in sqrt(f0) and f0, 
+//   F = f0 + y (p + y (q + y r)), y = (1 - cos_i)^3, p and q linear in sqrt(f0) and f0,
 //   p + q + r = 1 - f0
 //
 // f0      reflectance at normal incidence, [0, 1]
@@ -1064,7 +1064,7 @@ static inline fresnel_float3 constant_rgb_dir(fresnel_float3 f0, fresnel_float3 
 
 // The classic approximation for metals, without a square root.
 //
-//   R_s = ((n - c)^2 + k^2) / ((n + c)^2 + k^2), 
+//   R_s = ((n - c)^2 + k^2) / ((n + c)^2 + k^2),
 //   R_p = ((n c - 1)^2 + k^2 c^2) / ((n c + 1)^2 + k^2 c^2)
 //
 // n       index relative to the medium in front, [0.001, 1000]
@@ -1165,25 +1165,25 @@ static inline float gulbrandsen(float r, float g, float cos_i) {
     const float c2 = cos_i * cos_i;
     const float sin2 = 1.0f - c2;
     const float s4 = sin2 * sin2;
-    const float E = (n - 1.0f) * (n + 1.0f) - k * k;
-    const float Z = 2.0f * (n * k);
+    const float E = (n - 1.0f) * (n + 1.0f) - k * k; // Re m^2 - 1
+    const float Z = 2.0f * (n * k); // Im m^2
     const float Z2 = Z * Z;
-    const float t0 = E + c2;
-    const float A = sqrtf(t0 * t0 + Z2);
-    const float S = fmaxf(A + fabsf(t0), 8.881784e-16f);
-    const float u = sqrtf(2.0f * S);
-    const float a = t0 < 0.0f ? Z : S;
+    const float t0 = E + c2; // q^2 = t0 + i Z
+    const float A = sqrtf(t0 * t0 + Z2); // |q|^2
+    const float S = fmaxf(A + fabsf(t0), 8.881784e-16f); // 0 only at the critical angle
+    const float u = sqrtf(2.0f * S); // twice the larger of Re q and Im q
+    const float a = t0 < 0.0f ? Z : S; // u Re q
     const float h = 2.0f * (a * cos_i);
-    const float F = (E * E + Z2) * S;
+    const float F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
     const float G_s = (A + c2) * u + h;
-    const float D_s = fmaxf(F + h * G_s, 1.1754944e-38f);
+    const float D_s = fmaxf(F + h * G_s, 1.1754944e-38f); // |c + q|^4; 0 only for equal media at cos_i = 0
     const float R_s = F / D_s;
     const float h_p = h * sin2;
     const float N = t0 * c2 - s4;
     const float M = Z * c2;
-    const float B = (N * N + M * M) * S;
+    const float B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
     const float G_p = (A * c2 + s4) * u + h_p;
-    const float D_p = B + h_p * G_p;
+    const float D_p = B + h_p * G_p; // |q c + s^2|^4
     const float R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0f;
 }

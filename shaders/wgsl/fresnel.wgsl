@@ -101,7 +101,7 @@ fn eta_from_f0(f0: f32) -> f32 {
 
 // Exact reflectance between two transparent media, accurate in float everywhere.
 //
-//   R_s = E^2 / (E^2 + 4 c g (g + c)^2), R_p = R_s ((c g - s^2) / (c g + s^2))^2, E = eta^2 - 1, 
+//   R_s = E^2 / (E^2 + 4 c g (g + c)^2), R_p = R_s ((c g - s^2) / (c g + s^2))^2, E = eta^2 - 1,
 //   g^2 = E + c^2
 //
 // n_i     index in front of the surface, [0.01, 100]
@@ -113,14 +113,14 @@ fn eta_from_f0(f0: f32) -> f32 {
 fn dielectric(n_i: f32, n_t: f32, cos_i: f32) -> f32 {
     let c = n_i * cos_i;
     let s2 = n_i * (1.0 - cos_i * cos_i);
-    let E = (n_t - n_i) * (n_t + n_i);
-    let g2 = E + c * c;
-    let g = sqrt(max(g2, 1.1754944e-38));
+    let E = (n_t - n_i) * (n_t + n_i); // eta^2 - 1
+    let g2 = E + c * c; // below 0 under total internal reflection
+    let g = sqrt(max(g2, 1.1754944e-38)); // eta cos_t; so little there that R is 1
     let E2 = E * E;
     let cg = c * g;
     let a = 2.0 * (g + c);
     let a2 = a * a;
-    let D_s = max(E2 + cg * a2, 1.1754944e-38);
+    let D_s = max(E2 + cg * a2, 1.1754944e-38); // 0 only for equal media at cos_i = 0
     let R_s = E2 / D_s;
     let x = cos_i * g;
     let b = x + s2;
@@ -137,14 +137,14 @@ fn dielectric_dir(n_i: f32, n_t: f32, normal: vec3f, direction: vec3f) -> f32 {
 fn dielectric_rgb(n_i: f32, n_t: vec3f, cos_i: f32) -> vec3f {
     let c = n_i * cos_i;
     let s2 = n_i * (1.0 - cos_i * cos_i);
-    let E = (n_t - n_i) * (n_t + n_i);
-    let g2 = E + c * c;
-    let g = sqrt(max(g2, vec3f(1.1754944e-38)));
+    let E = (n_t - n_i) * (n_t + n_i); // eta^2 - 1
+    let g2 = E + c * c; // below 0 under total internal reflection
+    let g = sqrt(max(g2, vec3f(1.1754944e-38))); // eta cos_t; so little there that R is 1
     let E2 = E * E;
     let cg = c * g;
     let a = 2.0 * (g + c);
     let a2 = a * a;
-    let D_s = max(E2 + cg * a2, vec3f(1.1754944e-38));
+    let D_s = max(E2 + cg * a2, vec3f(1.1754944e-38)); // 0 only for equal media at cos_i = 0
     let R_s = E2 / D_s;
     let x = cos_i * g;
     let b = x + s2;
@@ -161,14 +161,14 @@ fn dielectric_rgb_dir(n_i: f32, n_t: vec3f, normal: vec3f, direction: vec3f) -> 
 fn dielectric_boundary(n_i: f32, n_t: f32, cos_i: f32) -> fresnel_boundary {
     let c = n_i * cos_i;
     let s2 = n_i * (1.0 - cos_i * cos_i);
-    let E = (n_t - n_i) * (n_t + n_i);
-    let g2 = E + c * c;
-    let g = sqrt(max(g2, 1.1754944e-38));
+    let E = (n_t - n_i) * (n_t + n_i); // eta^2 - 1
+    let g2 = E + c * c; // below 0 under total internal reflection
+    let g = sqrt(max(g2, 1.1754944e-38)); // eta cos_t; so little there that R is 1
     let E2 = E * E;
     let cg = c * g;
     let a = 2.0 * (g + c);
     let a2 = a * a;
-    let D_s = max(E2 + cg * a2, 1.1754944e-38);
+    let D_s = max(E2 + cg * a2, 1.1754944e-38); // 0 only for equal media at cos_i = 0
     let R_s = E2 / D_s;
     let x = cos_i * g;
     let b = x + s2;
@@ -199,25 +199,25 @@ fn conductor(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let sin2 = 1.0 - cos2;
     let s2 = n_i * sin2;
     let s4 = s2 * s2;
-    let E = (n_t - n_i) * (n_t + n_i) - k_t * k_t;
-    let Z = 2.0 * (n_t * k_t);
+    let E = (n_t - n_i) * (n_t + n_i) - k_t * k_t; // Re m^2 - 1
+    let Z = 2.0 * (n_t * k_t); // Im m^2
     let Z2 = Z * Z;
-    let t0 = E + c2;
-    let A = sqrt(t0 * t0 + Z2);
-    let S = max(A + abs(t0), 8.881784e-16);
-    let u = sqrt(2.0 * S);
-    let a = select(S, Z, t0 < 0.0);
+    let t0 = E + c2; // q^2 = t0 + i Z
+    let A = sqrt(t0 * t0 + Z2); // |q|^2
+    let S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
+    let u = sqrt(2.0 * S); // twice the larger of Re q and Im q
+    let a = select(S, Z, t0 < 0.0); // u Re q
     let h = 2.0 * (a * c);
-    let F = (E * E + Z2) * S;
+    let F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
     let G_s = (A + c2) * u + h;
-    let D_s = max(F + h * G_s, 1.1754944e-38);
+    let D_s = max(F + h * G_s, 1.1754944e-38); // |c + q|^4; 0 only for equal media at cos_i = 0
     let R_s = F / D_s;
     let h_p = h * sin2;
     let N = t0 * cos2 - s4;
     let M = Z * cos2;
-    let B = (N * N + M * M) * S;
+    let B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
     let G_p = (A * cos2 + s4) * u + h_p;
-    let D_p = B + h_p * G_p;
+    let D_p = B + h_p * G_p; // |q c + s^2|^4
     let R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0;
 }
@@ -244,25 +244,25 @@ fn conductor_boundary(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> fresnel_bound
     let sin2 = 1.0 - cos2;
     let s2 = n_i * sin2;
     let s4 = s2 * s2;
-    let E = (n_t - n_i) * (n_t + n_i) - k_t * k_t;
-    let Z = 2.0 * (n_t * k_t);
+    let E = (n_t - n_i) * (n_t + n_i) - k_t * k_t; // Re m^2 - 1
+    let Z = 2.0 * (n_t * k_t); // Im m^2
     let Z2 = Z * Z;
-    let t0 = E + c2;
-    let A = sqrt(t0 * t0 + Z2);
-    let S = max(A + abs(t0), 8.881784e-16);
-    let u = sqrt(2.0 * S);
-    let a = select(S, Z, t0 < 0.0);
+    let t0 = E + c2; // q^2 = t0 + i Z
+    let A = sqrt(t0 * t0 + Z2); // |q|^2
+    let S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
+    let u = sqrt(2.0 * S); // twice the larger of Re q and Im q
+    let a = select(S, Z, t0 < 0.0); // u Re q
     let h = 2.0 * (a * c);
-    let F = (E * E + Z2) * S;
+    let F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
     let G_s = (A + c2) * u + h;
-    let D_s = max(F + h * G_s, 1.1754944e-38);
+    let D_s = max(F + h * G_s, 1.1754944e-38); // |c + q|^4; 0 only for equal media at cos_i = 0
     let R_s = F / D_s;
     let h_p = h * sin2;
     let N = t0 * cos2 - s4;
     let M = Z * cos2;
-    let B = (N * N + M * M) * S;
+    let B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
     let G_p = (A * cos2 + s4) * u + h_p;
-    let D_p = B + h_p * G_p;
+    let D_p = B + h_p * G_p; // |q c + s^2|^4
     let R_p = R_s * (B / D_p);
     let T_s = select(h * (G_s / D_s), 1.0 - R_s, F <= 0.0);
     let T_p = T_s + R_s * (h_p * (G_p / D_p));
@@ -347,8 +347,8 @@ fn conductor_fast(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let s2 = n_i * sin2;
     let t0 = n_t * n_t - n_i * s2 - k_t * k_t;
     let nk2 = 2.0 * (n_t * k_t);
-    let A = sqrt(t0 * t0 + nk2 * nk2);
-    let a2 = 2.0 * (A + t0);
+    let A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
+    let a2 = 2.0 * (A + t0); // (2 a)^2
     let a = select(sqrt(a2), 0.0, a2 <= 0.0);
     let t1 = A + c2;
     let t2 = min(a * c, t1);
@@ -384,8 +384,8 @@ fn conductor_fast_boundary(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> fresnel_
     let s2 = n_i * sin2;
     let t0 = n_t * n_t - n_i * s2 - k_t * k_t;
     let nk2 = 2.0 * (n_t * k_t);
-    let A = sqrt(t0 * t0 + nk2 * nk2);
-    let a2 = 2.0 * (A + t0);
+    let A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
+    let a2 = 2.0 * (A + t0); // (2 a)^2
     let a = select(sqrt(a2), 0.0, a2 <= 0.0);
     let t1 = A + c2;
     let t2 = min(a * c, t1);
@@ -955,7 +955,7 @@ fn powers_3_9_rgb_dir(f0: vec3f, normal: vec3f, direction: vec3f) -> vec3f {
 
 // Three powers with coefficients in sqrt(f0), a tenth of Schlick's error on dielectrics.
 //
-//   F = f0 + y (p + y (q + y r)), y = (1 - cos_i)^3, p and q linear in sqrt(f0) and f0, 
+//   F = f0 + y (p + y (q + y r)), y = (1 - cos_i)^3, p and q linear in sqrt(f0) and f0,
 //   p + q + r = 1 - f0
 //
 // f0      reflectance at normal incidence, [0, 1]
@@ -1036,7 +1036,7 @@ fn constant_rgb_dir(f0: vec3f, normal: vec3f, direction: vec3f) -> vec3f {
 
 // The classic approximation for metals, without a square root.
 //
-//   R_s = ((n - c)^2 + k^2) / ((n + c)^2 + k^2), 
+//   R_s = ((n - c)^2 + k^2) / ((n + c)^2 + k^2),
 //   R_p = ((n c - 1)^2 + k^2 c^2) / ((n c + 1)^2 + k^2 c^2)
 //
 // n       index relative to the medium in front, [0.001, 1000]
@@ -1143,25 +1143,25 @@ fn gulbrandsen(r: f32, g: f32, cos_i: f32) -> f32 {
     let c2 = cos_i * cos_i;
     let sin2 = 1.0 - c2;
     let s4 = sin2 * sin2;
-    let E = (n - 1.0) * (n + 1.0) - k * k;
-    let Z = 2.0 * (n * k);
+    let E = (n - 1.0) * (n + 1.0) - k * k; // Re m^2 - 1
+    let Z = 2.0 * (n * k); // Im m^2
     let Z2 = Z * Z;
-    let t0 = E + c2;
-    let A = sqrt(t0 * t0 + Z2);
-    let S = max(A + abs(t0), 8.881784e-16);
-    let u = sqrt(2.0 * S);
-    let a = select(S, Z, t0 < 0.0);
+    let t0 = E + c2; // q^2 = t0 + i Z
+    let A = sqrt(t0 * t0 + Z2); // |q|^2
+    let S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
+    let u = sqrt(2.0 * S); // twice the larger of Re q and Im q
+    let a = select(S, Z, t0 < 0.0); // u Re q
     let h = 2.0 * (a * cos_i);
-    let F = (E * E + Z2) * S;
+    let F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
     let G_s = (A + c2) * u + h;
-    let D_s = max(F + h * G_s, 1.1754944e-38);
+    let D_s = max(F + h * G_s, 1.1754944e-38); // |c + q|^4; 0 only for equal media at cos_i = 0
     let R_s = F / D_s;
     let h_p = h * sin2;
     let N = t0 * c2 - s4;
     let M = Z * c2;
-    let B = (N * N + M * M) * S;
+    let B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
     let G_p = (A * c2 + s4) * u + h_p;
-    let D_p = B + h_p * G_p;
+    let D_p = B + h_p * G_p; // |q c + s^2|^4
     let R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0;
 }

@@ -58,7 +58,8 @@ void add_equation(std::vector<std::string>& lines, std::string_view equation) {
     while (!equation.empty()) {
         const std::size_t end = std::min(equation.find(", "), equation.size());
         const std::string_view part = equation.substr(0, std::min(end + 2, equation.size()));
-        if (line.size() + part.size() > longest) lines.push_back(line), line = "  ";
+        if (line.size() + part.size() > longest)
+            lines.push_back(line.substr(0, line.size() - 1)), line = "  ";
         line += part;
         equation.remove_prefix(part.size());
     }

@@ -32,8 +32,10 @@ public:
     }
 
     std::string lines() {
-        for (const std::uint32_t node : order_)
-            text_ += fmt::format("    {};\n", declaration(node));
+        for (const std::uint32_t node : order_) {
+            const std::string& remark = at(node).remark;
+            text_ += fmt::format("    {};{}{}\n", declaration(node), remark.empty() ? "" : " // ", remark);
+        }
         return text_ + returned();
     }
 
