@@ -1,5 +1,6 @@
 #include "colour_options.hpp"
 #include "commands.hpp"
+#include "parameter_options.hpp"
 
 #include "analysis/compare.hpp"
 #include "emit/library.hpp"
@@ -22,25 +23,6 @@ struct options {
     colour_options colour;
     bool all = false;
 };
-
-// "f0=0.04", or "f0=1,0.78,0.34" for a value per channel
-void add_fixed(const std::string& text, std::map<std::string, std::array<float, 3>>& fixed) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0)
-        throw bad_input(fmt::format("--fix '{}': must be PARAMETER=VALUE or PARAMETER=R,G,B", text));
-    const std::string name = text.substr(0, equals);
-    std::vector<float> values;
-    for (std::size_t from = equals + 1; from <= text.size();) {
-        const std::size_t comma = std::min(text.find(',', from), text.size());
-        values.push_back(static_cast<float>(
-            parse_number(fmt::format("--fix {}", name), std::string_view(text).substr(from, comma - from))));
-        from = comma + 1;
-    }
-    if (values.size() != 1 && values.size() != 3)
-        throw bad_input(fmt::format("--fix '{}': has {} values, must have 1 or 3", text, values.size()));
-    fixed[name] = values.size() == 1 ? std::array{values[0], values[0], values[0]}
-                                     : std::array{values[0], values[1], values[2]};
-}
 
 void add_material(const options& given, const std::string& model, emit::model_request& request) {
     if (find_model<double>(model).kind == model_kind::exact)
@@ -157,7 +139,6 @@ void add_shader(CLI::App& app) {
         ->type_name("L");
     command->add_option("--fix", given->fixed, "a parameter that is a constant, for all channels or R,G,B")
         ->type_name("PARAM=VALUE")
-        ->expected(1)
         ->allow_extra_args(false);
     command->add_option("--material", given->material, "parameters fitted to that material, as constants")
         ->type_name("NAME");
