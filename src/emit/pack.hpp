@@ -13,6 +13,9 @@ struct pack_file {
 /// One library file for each language: glsl/fresnel.glsl and so on, with a README.
 std::vector<pack_file> language_packs();
 
+/// Godot 4: an addon's folder.
+std::vector<pack_file> godot_pack();
+
 /// Every file of shaders/, in order of path. Each engine's pack is made in a file of its own under src/emit/packs.
 std::vector<pack_file> all_packs();
 
