@@ -108,8 +108,8 @@ func cubemap():
 func _ready():
     var camera = Camera3D.new()
     add_child(camera)
-    camera.position = Vector3(0, 0, 5)
-    camera.set_orthogonal(2.5, 0.1, 20.0)
+    camera.position = Vector3(0, 0, 12)
+    camera.fov = 12.0
     var sun = DirectionalLight3D.new()
     add_child(sun)
     sun.rotation_degrees = Vector3(-30, 40, 0)
