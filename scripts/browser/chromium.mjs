@@ -82,7 +82,8 @@ export async function serve(folders, received = () => {}) {
 
 const flags = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
                '--disable-component-update', '--disable-sync', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
-               '--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader'];
+               '--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader',
+               '--enable-features=Vulkan', '--use-vulkan=swiftshader']; // without the last two WebGPU cannot show a canvas
 
 /// A headless Chromium, as playwright's Browser. Skips where there is none.
 export async function launch() {

@@ -32,12 +32,18 @@ function valueOf(parameter, channel) {
 
 const written = (x) => (Number.isInteger(x) ? x.toFixed(1) : String(x));
 
+/// The arguments of a call before the angle: numbers, or triples.
+export function argumentsOf(one) {
+    const rgb = one.suffix.startsWith('_rgb');
+    return one.parameters.map((p) => (rgb && p.name !== 'n_i' ? [0, 1, 2].map((c) => valueOf(p, c)) : valueOf(p, 0)));
+}
+
 /// The expression that calls a function, a number: of three channels the second, of a boundary the mean of both
 /// reflectances. `cosine` and `direction` are texts, the latter a direction that has this cosine with (0, 0, 1).
 export function callOf(one, vec3, cosine, direction) {
     const rgb = one.suffix.startsWith('_rgb');
-    const values = one.parameters.map((p) => (rgb && p.name !== 'n_i'
-        ? `${vec3}(${[0, 1, 2].map((c) => written(valueOf(p, c))).join(', ')})` : written(valueOf(p, 0))));
+    const values = argumentsOf(one).map((value) => (Array.isArray(value)
+        ? `${vec3}(${value.map(written).join(', ')})` : written(value)));
     values.push(...(one.suffix.endsWith('_dir') ? [`${vec3}(0.0, 0.0, 1.0)`, direction] : [cosine]));
     const call = `${one.name}(${values.join(', ')})`;
     if (one.suffix === '_boundary') return `(${call}.R_s + ${call}.R_p) / 2.0`;
