@@ -110,10 +110,11 @@ func _ready():
     add_child(camera)
     camera.position = Vector3(0, 0, 12)
     camera.fov = 12.0
+    RenderingServer.set_default_clear_color(Color(0.12, 0.13, 0.16))
     var sun = DirectionalLight3D.new()
     add_child(sun)
     sun.rotation_degrees = Vector3(-30, 40, 0)
-    var x = -2.2
+    var x = -3.3
     for name in SHADERS:
         var shader = load("res://addons/fresnel/" + name)
         print("COMPILED ", name, " ", shader.get_shader_uniform_list().size(), " uniforms")
@@ -121,6 +122,8 @@ func _ready():
         material.shader = shader
         material.set_shader_parameter("environment", cubemap())
         material.set_shader_parameter("rim_energy", 2.0)
+        if name == "fade.gdshader":
+            material.set_shader_parameter("base_color", Color(0.5, 0.8, 1.0))
         var ball = MeshInstance3D.new()
         ball.mesh = SphereMesh.new()
         ball.mesh.radius = 1.0
@@ -150,8 +153,8 @@ func _ready():
 // ---- the engine ----------------------------------------------------------------------------------------------------------
 
 const page = `<!doctype html><meta charset="utf-8"><title>fresnel</title>
-<style>body { margin: 0 } canvas { width: 960px; height: 360px }</style>
-<canvas id="canvas" width="960" height="360"></canvas><script src="/godot/index.js"></script><script>
+<style>body { margin: 0 } canvas { width: 1200px; height: 320px }</style>
+<canvas id="canvas" width="1200" height="320"></canvas><script src="/godot/index.js"></script><script>
 window.said = [];
 const say = (...words) => window.said.push(words.join(' '));
 new Engine({ executable: '/godot/index', mainPack: '/run/fresnel.pck', canvas: document.getElementById('canvas'), args: [],
@@ -163,7 +166,7 @@ new Engine({ executable: '/godot/index', mainPack: '/run/fresnel.pck', canvas: d
 async function play(browser, address, files, last, picture) {
     fs.writeFileSync(path.join(folder, 'fresnel.pck'), packed(files));
     fs.writeFileSync(path.join(folder, 'godot.html'), page);
-    const tab = await browser.newPage({ viewport: { width: 960, height: 360 } });
+    const tab = await browser.newPage({ viewport: { width: 1200, height: 320 } });
     await tab.goto(`${address}/run/godot.html`);
     await tab.waitForFunction((start) => window.said.some((line) => line.startsWith(start) || /FAILED|EXIT/.test(line)),
                               last, { timeout: 120000 }).catch(() => {});

@@ -42,7 +42,7 @@ vec3 bent_normal(vec3 normal, vec3 tangent, vec3 binormal, vec2 uv) {
 )";
 
 std::string rim() {
-    return head("A rim of light: bias_scale_power, mixed over the base colour or added to it.") + R"(
+    return head("A rim of light over a base colour: a mix of the two by bias_scale_power.") + R"(
 #include "fresnel.gdshaderinc"
 )" + std::string(surface) +
            R"(uniform vec3 rim_color : source_color = vec3(1.0, 0.9, 0.7);
@@ -51,17 +51,31 @@ uniform float bias : hint_range(-1.0, 1.0) = 0.0;
 uniform float scale : hint_range(0.0, 4.0) = 1.0;
 uniform float power : hint_range(0.1, 20.0) = 5.0;
 uniform float roughness : hint_range(0.0, 1.0) = 0.6;
-uniform bool fades = false; // the base is transparent where there is no rim
+)" + std::string(bent_normal) +
+           R"(
+void fragment() {
+    NORMAL = bent_normal(NORMAL, TANGENT, BINORMAL, UV);
+    float F = bias_scale_power_dir(bias, scale, power, NORMAL, VIEW);
+    ALBEDO = base_color.rgb * texture(base_texture, UV).rgb * (1.0 - F);
+    ROUGHNESS = roughness;
+    EMISSION = rim_color * (rim_energy * F);
+}
+)";
+}
+
+std::string fade() {
+    return head("A film, a bubble or a shield: as opaque as its surface is reflective.") + R"(
+#include "fresnel.gdshaderinc"
+)" + std::string(surface) +
+           R"(uniform float index : hint_range(1.0, 3.0) = 1.5;
+uniform float least_opacity : hint_range(0.0, 1.0) = 0.0;
 )" + std::string(bent_normal) +
            R"(
 void fragment() {
     NORMAL = bent_normal(NORMAL, TANGENT, BINORMAL, UV);
     vec4 base = base_color * texture(base_texture, UV);
-    float F = bias_scale_power_dir(bias, scale, power, NORMAL, VIEW);
     ALBEDO = base.rgb;
-    ROUGHNESS = roughness;
-    EMISSION = rim_color * (rim_energy * F);
-    ALPHA = fades ? base.a * F : base.a;
+    ALPHA = base.a * max(dielectric_dir(1.0, index, NORMAL, VIEW), least_opacity);
 }
 )";
 }
@@ -136,16 +150,17 @@ std::string readme() {
     std::string text = fmt::format("# Fresnel for Godot 4, version {}\n", FRESNEL_VERSION);
     text += R"(
 Fresnel reflectance in Godot's shading language: every model of `fresnel`, exact, approximate and artistic, in
-`fresnel.gdshaderinc`, and three spatial shaders that use it.
+`fresnel.gdshaderinc`, and four spatial shaders that use it.
 
 ## Install
 
 Copy the folder `addons` into your project, so that `res://addons/fresnel/fresnel.gdshaderinc` exists. There is no plugin to
-enable. Forward+, Mobile and Compatibility take the same files.
+enable. Checked in Godot 4.6 with the Compatibility renderer; nothing in the files is particular to it.
 
 | file | what it is |
 |---|---|
-| `rim.gdshader` | a rim of light over a textured, normal-mapped base: bias 0, scale 1, power 5; `fades` makes the rest transparent |
+| `rim.gdshader` | a rim of light over a textured, normal-mapped base: bias 0, scale 1, power 5 |
+| `fade.gdshader` | transparent but where it reflects: opacity by the exact reflectance of an index |
 | `reflective.gdshader` | a coat of an index over a base: a cubemap reflected by the exact reflectance |
 | `metal.gdshader` | gold, or any metal by two colours: lights by microfacets, a cubemap |
 | `fresnel.gdshaderinc` | the functions |
@@ -168,6 +183,7 @@ Colours are linear: give `f0` of a measured material as a plain `vec3`, without 
 
 ## Limits
 
+`VIEW` points to the camera's place also where the camera is orthogonal, so that a rim then leans to the edges of the picture.
 Godot's own reflections of the sky and of probes always use its built-in approximation. `reflective` and `metal` therefore
 take the environment from a cubemap of their own and switch the built-in one off; a cubemap needs mipmaps to look rough.
 )";
@@ -179,6 +195,7 @@ take the environment from a cubemap of their own and switch the built-in one off
 std::vector<pack_file> godot_pack() {
     const std::string folder(root);
     return {{folder + "README.md", readme()},
+            {folder + "fade.gdshader", fade()},
             {folder + "fresnel.gdshaderinc", library_text(find_language("gdshader"))},
             {folder + "metal.gdshader", metal()},
             {folder + "reflective.gdshader", reflective()},
