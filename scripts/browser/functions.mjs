@@ -13,7 +13,7 @@ const suffixes = ['_rgb_dir', '_dir', '_rgb', '_boundary', ''];
 /// Every function of a model in a text of a language without overloads: {name, model, suffix, parameters}, the
 /// parameters of the registry.
 export function functionsOf(text, models) {
-    const names = [...text.matchAll(/^(?:fn |\w+ )(\w+)\(.*\{$/gm)].map((found) => found[1]);
+    const names = [...text.matchAll(/^(?:fn |\w+ )(\w+)\([^{};]*\{$/gm)].map((found) => found[1]);
     return names.flatMap((name) => {
         for (const suffix of suffixes) {
             const model = models.find((m) => name === m.name + suffix);

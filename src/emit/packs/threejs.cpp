@@ -111,12 +111,11 @@ std::vector<piece> pieces_of(const language& l) {
         const std::size_t end = std::min(all.find("\n\n", at), all.size());
         const std::string block = all.substr(at, end - at) + "\n";
         at = end + 2;
-        const std::size_t brace = block.find(") {\n"), arrow = block.find(" {\n");
-        const std::size_t open = brace != std::string::npos ? brace : arrow;
-        if (open == std::string::npos) continue;
-        const std::size_t line = block.rfind('\n', open) + 1; // of the head; npos + 1 is 0
-        const std::size_t bracket = block.find('(', line);
-        if (bracket == std::string::npos || bracket > open) continue;
+        std::size_t line = 0; // of the head, behind the comment
+        while (block.compare(line, 2, "//") == 0)
+            line = block.find('\n', line) + 1;
+        const std::size_t bracket = block.find('(', line), open = block.find(" {\n", line);
+        if (bracket == std::string::npos || open == std::string::npos || bracket > open) continue;
         if (block.substr(line).find("fresnel_boundary") != std::string::npos) continue;
         found.push_back({name_before(block, bracket), block});
     }
