@@ -26,7 +26,7 @@ export function npm(name) {
         const done = spawnSync('flock', [path.join(cache, '.npm.lock'), 'npm', 'install', '--no-audit', '--no-fund',
             '--ignore-scripts', '--prefix', place, `${name}@${versions[name]}`], { encoding: 'utf8' });
         if (done.error) skip(`${name} cannot be installed: ${done.error.message}`);
-        if (done.status !== 0) skip(`${name} cannot be installed: npm ended with ${done.status}: ${lastLine(done.stderr)}`);
+        if (done.status !== 0) skip(`${name} cannot be installed: npm ended with ${done.status}: ${reason(done.stderr)}`);
         fs.writeFileSync(mark, '');
     }
     return path.join(place, 'node_modules');
@@ -41,7 +41,7 @@ export function pip(name) {
                                          [python, '-m', 'pip', '-q', 'install', `${name}==${versions[name]}`]]) {
         const done = spawnSync(program, options, { encoding: 'utf8' });
         if (done.error) return { skipped: done.error.message };
-        if (done.status !== 0) return { skipped: `${name} cannot be installed: ${lastLine(done.stderr)}` };
+        if (done.status !== 0) return { skipped: `${name} cannot be installed: ${reason(done.stderr)}` };
     }
     fs.writeFileSync(mark, '');
     return { path: python };
@@ -49,8 +49,10 @@ export function pip(name) {
 
 export const version = (name) => versions[name];
 
-function lastLine(text) {
-    return (text ?? '').trim().split('\n').pop();
+// The line of an installer's output that says why.
+function reason(text) {
+    const lines = (text ?? '').trim().split('\n');
+    return lines.find((line) => /error/i.test(line)) ?? lines.pop();
 }
 
 const types = { '.html': 'text/html', '.js': 'text/javascript', '.mjs': 'text/javascript', '.wasm': 'application/wasm',

@@ -45,14 +45,16 @@ function claimOf(one, receiver) {
 const counts = () => ({ inputs: 0, differing: 0, largest: 0 });
 
 /// Rows by what their inputs are: `compared`, about which something is claimed; `elsewhere`, with exponents outside
-/// [1, 10]; `infinite` and `nan`. Their largest difference is in units of the largest factor before a power, at least 1.
+/// [1, 10]; `infinite` and `nan`; `undefined`, where the model's value is NaN of finite inputs. Their largest
+/// difference is in units of the largest factor before a power, at least 1.
 export function compare(folder, one, receiver) {
     const read = (name) => floats(path.join(folder, name));
     const inputs = read(one.inputs), expected = read(one.expected), found = read(`${one.id}.${receiver}.out.f32`);
     if (found.length !== expected.length) throw new Error(`${one.id} on ${receiver}: ${found.length} values`);
     const { allowed, why } = claimOf(one, receiver);
     const columns = one.transcendental ? columnsOf(one) : { exponents: [], factors: [] };
-    const all = { compared: counts(), elsewhere: counts(), infinite: counts(), nan: counts() };
+    const all = { compared: counts(), elsewhere: counts(), infinite: counts(), nan: counts(),
+                  undefined: counts() };
     for (let row = 0, i = 0; row < one.rows; ++row) {
         const first = row * one.columns;
         let sum = 0; // NaN where an input is NaN, infinite where one is infinite
@@ -61,13 +63,15 @@ export function compare(folder, one, receiver) {
         for (const k of columns.exponents)
             if (kind === 'compared' && !(inputs[first + k] >= 1 && inputs[first + k] <= 10)) kind = 'elsewhere';
         for (const k of columns.factors) unit = Math.max(unit, Math.abs(inputs[first + k]));
-        let differs = false, most = 0;
+        let differs = false, most = 0, isNan = false;
         for (const end = i + one.results; i < end; ++i) {
+            isNan ||= Number.isNaN(expected[i]);
             if (Object.is(expected[i], found[i])) continue;
             differs = true;
             const distance = Math.abs(expected[i] - found[i]) / unit;
             most = Math.max(most, Number.isNaN(distance) ? Infinity : distance);
         }
+        if (isNan && kind !== 'nan' && kind !== 'infinite') kind = 'undefined';
         ++all[kind].inputs;
         if (!differs) continue;
         ++all[kind].differing;
@@ -108,5 +112,7 @@ function summarize(receiver, results) {
     console.log(`${receiver}: apart from these, ${sum(results, 'elsewhere', 'inputs')} inputs of a power with exponents ` +
         `outside [1, 10]: ${sum(results, 'elsewhere', 'differing')} differ, by at most ${short(most(results, 'elsewhere'))}; ` +
         `${sum(results, 'infinite', 'inputs')} with an infinity: ${sum(results, 'infinite', 'differing')} differ; ` +
-        `${sum(results, 'nan', 'inputs')} with a NaN: ${sum(results, 'nan', 'differing')} differ`);
+        `${sum(results, 'nan', 'inputs')} with a NaN: ${sum(results, 'nan', 'differing')} differ; ` +
+        `${sum(results, 'undefined', 'inputs')} finite ones of which the model itself makes a NaN: ` +
+        `${sum(results, 'undefined', 'differing')} differ`);
 }
