@@ -13,6 +13,12 @@ struct pack_file {
 /// One library file for each language: glsl/fresnel.glsl and so on, with a README.
 std::vector<pack_file> language_packs();
 
+/// three.js: a package with GLSL for WebGLRenderer and nodes for WebGPURenderer.
+std::vector<pack_file> threejs_pack();
+
+/// Godot 4: an addon's folder.
+std::vector<pack_file> godot_pack();
+
 /// Every file of shaders/, in order of path. Each engine's pack is made in a file of its own under src/emit/packs.
 std::vector<pack_file> all_packs();
 
