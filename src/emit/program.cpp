@@ -164,6 +164,11 @@ std::string program::sample(std::string_view texture, const std::string& coordin
     return fmt::format(fmt::runtime(cube ? d_.sample_cube : d_.sample_map), name, coordinate);
 }
 
+std::string program::limited(const std::string& value) const {
+    if (d_.own().has_saturate) return emit::call("saturate", {value});
+    return emit::call("clamp", {value, number(0), number(1)});
+}
+
 std::string program::number(float x) const { return literal(d_.own(), x); }
 
 std::string program::choice(const std::string& condition, const std::string& a, const std::string& b) const {
@@ -219,6 +224,9 @@ std::string program::textures(int stages) const {
             text.add(fmt::format("@group(0) @binding({}) var {}: {};", 2 * slot + 1, name, type),
                      x.what.meaning);
             text.add(fmt::format("@group(0) @binding({}) var {}_sampler: sampler;", 2 * slot + 2, name), "");
+        } else if (d_.id == "slang") { // Slang gives out the slots of every target itself
+            text.add(fmt::format("{} {};", type, name), x.what.meaning);
+            text.add(fmt::format("SamplerState {}_sampler;", name), "");
         } else {
             text.add(fmt::format("{} {} : register(t{});", type, name, slot), x.what.meaning);
             text.add(fmt::format("SamplerState {}_sampler : register(s{});", name, slot), "");
@@ -242,8 +250,8 @@ std::string program::uniform_block(int stages) const {
                            "program_uniforms;\n{}",
                            members.text(), textures(stages));
     if (d_.id == "msl") return fmt::format("struct program_uniforms {{\n{}}};\n", members.text());
-    return fmt::format("cbuffer program_uniforms : register(b0) {{\n{}}};\n\n{}", members.text(),
-                       textures(stages));
+    return fmt::format("cbuffer program_uniforms{} {{\n{}}};\n\n{}",
+                       d_.id == "slang" ? "" : " : register(b0)", members.text(), textures(stages));
 }
 
 std::string program::member(const declared& x, bool attribute, int location) const {

@@ -80,6 +80,8 @@ public:
                     shape of_weight) const;
     /// Three components of a texture.
     std::string sample(std::string_view texture, const std::string& coordinate);
+    /// A value limited to [0, 1].
+    std::string limited(const std::string& value) const;
     std::string number(float x) const;
 
     // ---- statements of the stage begun ----

@@ -270,7 +270,8 @@ void light_up(program& p, const reflectance& model) {
           fmt::format("attenuation * max(cos_l, {}) * {} * {}", zero, p.use("light_color"),
                       p.use("base_color")));
     const std::string half = p.number(0.5f);
-    p.let(shape::scalar, "cos_h", fmt::format("sqrt(max({0} + {0} * dot(light, view), {1}))", half, zero),
+    p.let(shape::scalar, "cos_h",
+          call("sqrt", {p.limited(fmt::format("{0} + {0} * dot(light, view)", half))}),
           "of the half vector with either of them");
     p.let(model.type, "F", value_of(p, model, "cos_h"));
     const std::string mirrored = p.call("reflected_direction", {"light", "normal"});

@@ -20,7 +20,7 @@ struct lit_surface {
 lit_surface light_surface(float3 normal, float3 view, float3 light, float3 light_color, float3 color,
                           float3 spec_color, float shininess, float power) {
     float cos_l = dot(normal, light);
-    float cos_h = sqrt(max(0.5 + 0.5 * dot(light, view), 0.0)); // of the half vector with either of them
+    float cos_h = sqrt(saturate(0.5 + 0.5 * dot(light, view))); // of the half vector with either of them
     float3 F = schlick_power(spec_color, float3(1.0, 1.0, 1.0), power.xxx, cos_h);
     // no highlight where the light is behind the surface
     float lobe = cos_l < 0.0 ? 0.0 : phong_lobe(dot(reflected_direction(light, normal), view), shininess);
