@@ -98,6 +98,29 @@ TEST_F(techniques, every_program_compiles_as_WGSL) {
     });
 }
 
+// No Metal compiler can be had outside Apple's machines. The language is C++ with vectors, so clang reads the programs, all
+// in one text, with a header of ours.
+TEST_F(techniques, every_program_is_MSL_as_far_as_clang_can_tell) {
+    if (!has_command("clang++-19")) GTEST_SKIP() << "skipped: no clang++-19";
+    const std::string command =
+        std::string("clang++-19 -std=c++14 -fsyntax-only -nostdinc -isystem ") + FRESNEL_SOURCE_DIR +
+        "/tests/metal -Wall -Wextra -Wno-unused-parameter -Wno-unknown-attributes -Werror "
+        "all.cpp";
+    std::string all = "#include <metal_stdlib>\n";
+    int count = 0;
+    for_each_program(false, [&](const std::string& technique, const std::string& model) {
+        std::string text = program_text("msl", technique, model);
+        const std::string opening = "#include <metal_stdlib>\n";
+        ASSERT_TRUE(contains(text, opening));
+        text.erase(text.find(opening), opening.size());
+        all += fmt::format("namespace program_{} {{\n{}}}\n", count++, text);
+    });
+    write("all.cpp", all);
+    EXPECT_EQ(complaints(command), "");
+    write("all.cpp", all.replace(all.rfind("u.ambient_color"), 15, "u.ambient_colour"));
+    EXPECT_TRUE(contains(complaints(command), "ambient_colour"));
+}
+
 TEST_F(techniques, each_stage_of_a_joint_text_is_whole_too) {
     if (!has_command("glslangValidator")) GTEST_SKIP() << "skipped: no glslangValidator";
     for (const emit::technique& t : emit::techniques()) {
