@@ -5,6 +5,7 @@
 #include "analysis/compare.hpp"
 #include "emit/library.hpp"
 #include "emit/pack.hpp"
+#include "emit/technique.hpp"
 #include "error.hpp"
 #include "figure/figure.hpp"
 #include "materials/catalog.hpp"
@@ -19,7 +20,7 @@ struct options {
     std::vector<std::string> models;
     std::string language = "glsl";
     std::vector<std::string> fixed;
-    std::string material, name, out, write, check;
+    std::string material, name, technique, stage, out, write, check;
     colour_options colour;
     bool all = false;
 };
@@ -58,6 +59,7 @@ std::string made_by(const options& given) {
         line += " --fix " + fixed;
     if (!given.material.empty()) line += " --material " + given.material;
     if (!given.name.empty()) line += " --name " + given.name;
+    if (!given.technique.empty()) line += " --technique " + given.technique;
     return line;
 }
 
@@ -67,6 +69,11 @@ void check(const options& given) {
     if (!given.name.empty() && given.models.size() != 1)
         throw bad_input(fmt::format("--name '{}': names one function, but {} models are given", given.name,
                                     given.models.size()));
+    if (!given.technique.empty() && given.models.size() != 1)
+        throw bad_input(fmt::format("--technique '{}': needs one MODEL, {} are given", given.technique,
+                                    given.models.size()));
+    if (!given.stage.empty() && given.technique.empty())
+        throw bad_input(fmt::format("--stage '{}': is part of a --technique", given.stage));
 }
 
 void note_renaming(const emit::language& l, const std::string& name) {
@@ -76,17 +83,29 @@ void note_renaming(const emit::language& l, const std::string& name) {
                    l.title, legal);
 }
 
+emit::model_request request_of(const options& given, const std::string& model) {
+    emit::model_request request{model, {}, given.name};
+    for (const std::string& fixed : given.fixed)
+        add_fixed(fixed, request.fixed);
+    if (!given.material.empty()) add_material(given, model, request);
+    return request;
+}
+
+std::string program_of(const options& given) {
+    const emit::technique& how = emit::find_technique(given.technique);
+    const emit::stage stages = emit::find_stage(given.stage);
+    const emit::dialect& d = emit::find_dialect(given.language);
+    note_renaming(d.own(), given.name);
+    return emit::technique_text(d, how, request_of(given, given.models.front()), stages, made_by(given));
+}
+
 std::string text_of(const options& given) {
+    if (!given.technique.empty()) return program_of(given);
     const emit::language& l = emit::find_language(given.language);
     if (given.all) return emit::library_text(l);
     std::string text = emit::preamble(l, made_by(given));
-    for (const std::string& model : given.models) {
-        emit::model_request request{model, {}, given.name};
-        for (const std::string& fixed : given.fixed)
-            add_fixed(fixed, request.fixed);
-        if (!given.material.empty()) add_material(given, model, request);
-        text += "\n" + emit::model_text(l, request);
-    }
+    for (const std::string& model : given.models)
+        text += "\n" + emit::model_text(l, request_of(given, model));
     note_renaming(l, given.name);
     return text + emit::postamble(l);
 }
@@ -129,13 +148,16 @@ void add_shader(CLI::App& app) {
                     "  fresnel shader conductor --lang wgsl --fix n_i=1.333\n"
                     "  fresnel shader gulbrandsen --material gold --space acescg --name gold\n"
                     "  fresnel shader --all --lang glsl --out fresnel.glsl\n"
+                    "  fresnel shader schlick --technique per-pixel --lang glsl --stage fragment\n"
                     "  fresnel shader --write shaders              every library and engine pack\n"
                     "  fresnel shader --check shaders              whether they are what --write makes");
     const auto given = std::make_shared<options>();
     command->add_option("MODEL", given->models, "registry names");
     command
-        ->add_option("--lang", given->language,
-                     "glsl, essl, hlsl, msl, wgsl, osl, cuda, c or slang (default glsl)")
+        ->add_option(
+            "--lang", given->language,
+            "glsl, essl, hlsl, msl, wgsl, osl, cuda, c or slang (default glsl); cg is hlsl, and with "
+            "--technique that of shader models 2 and 3")
         ->type_name("L");
     command->add_option("--fix", given->fixed, "a parameter that is a constant, for all channels or R,G,B")
         ->type_name("PARAM=VALUE")
@@ -143,6 +165,13 @@ void add_shader(CLI::App& app) {
     command->add_option("--material", given->material, "parameters fitted to that material, as constants")
         ->type_name("NAME");
     command->add_option("--name", given->name, "name of the function")->type_name("N");
+    command
+        ->add_option("--technique", given->technique,
+                     "a complete vertex and fragment program of one MODEL: none, one-minus-cos, per-vertex, "
+                     "per-pixel, lut, highlights or semitransparent")
+        ->type_name("T");
+    command->add_option("--stage", given->stage, "of a program that stage alone: vertex or fragment")
+        ->type_name("S");
     command->add_option("--out", given->out, "write this file")->type_name("FILE");
     command->add_flag("--all", given->all, "every model and the geometry around them");
     command->add_option("--write", given->write, "write every generated file under this folder")

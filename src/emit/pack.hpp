@@ -10,7 +10,7 @@ struct pack_file {
     std::string path, text;
 };
 
-/// One library file for each language: glsl/fresnel.glsl and so on, with a README.
+/// One library file for each language: glsl/fresnel.glsl and so on.
 std::vector<pack_file> language_packs();
 
 /// three.js: a package with GLSL for WebGLRenderer and nodes for WebGPURenderer.
@@ -18,6 +18,11 @@ std::vector<pack_file> threejs_pack();
 
 /// Godot 4: an addon's folder.
 std::vector<pack_file> godot_pack();
+/// unity/: a package with the HLSL library and materials for the built-in pipeline and URP.
+std::vector<pack_file> unity_pack();
+
+/// unreal/: the HLSL library for the Custom node, and how it is used there.
+std::vector<pack_file> unreal_pack();
 
 /// Every file of shaders/, in order of path. Each engine's pack is made in a file of its own under src/emit/packs.
 std::vector<pack_file> all_packs();

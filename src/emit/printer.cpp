@@ -182,6 +182,8 @@ private:
     std::string splat(std::uint32_t node, int width) {
         const fragment x = use(node);
         if (width == 1 || at(node).width == 3 || is_mask(node)) return x.text;
+        // FXC has no float3 of one number, only a cast
+        if (l_.id == "hlsl") return fmt::format("({}){}", l_.triple, bracketed(x, fragment::primary));
         return fmt::format("{}({})", f_.directions ? l_.vector : l_.triple, x.text);
     }
 
