@@ -34,6 +34,9 @@ std::vector<pack_file> language_packs() {
 
 std::vector<pack_file> all_packs() {
     std::vector<pack_file> files = language_packs();
+    for (const auto pack : {materialx_pack, blender_pack})
+        for (pack_file& file : pack())
+            files.push_back(std::move(file));
     std::sort(files.begin(), files.end(),
               [](const pack_file& a, const pack_file& b) { return a.path < b.path; });
     return files;

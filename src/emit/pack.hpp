@@ -13,6 +13,12 @@ struct pack_file {
 /// One library file for each language: glsl/fresnel.glsl and so on, with a README.
 std::vector<pack_file> language_packs();
 
+/// A MaterialX data library: a node for every model, in GLSL and OSL.
+std::vector<pack_file> materialx_pack();
+
+/// OSL shaders for the Script node of Blender's Cycles, one for every model.
+std::vector<pack_file> blender_pack();
+
 /// Every file of shaders/, in order of path. Each engine's pack is made in a file of its own under src/emit/packs.
 std::vector<pack_file> all_packs();
 
