@@ -1,5 +1,6 @@
 #include "colour_options.hpp"
 #include "commands.hpp"
+#include "verify_options.hpp"
 
 #include "analysis/compare.hpp"
 #include "emit/library.hpp"
@@ -20,6 +21,7 @@ struct options {
     std::string material, name, out;
     colour_options colour;
     bool all = false;
+    verify_options verify;
 };
 
 // "f0=0.04", or "f0=1,0.78,0.34" for a value per channel
@@ -104,6 +106,7 @@ std::string text_of(const options& given) {
 }
 
 void run(const options& given) {
+    if (given.verify.wanted) return run_verify(given.verify, given.models);
     check(given);
     const std::string text = text_of(given);
     if (given.out.empty()) {
@@ -122,7 +125,8 @@ void add_shader(CLI::App& app) {
                     "  fresnel shader schlick --lang hlsl\n"
                     "  fresnel shader conductor --lang wgsl --fix n_i=1.333\n"
                     "  fresnel shader gulbrandsen --material gold --space acescg --name gold\n"
-                    "  fresnel shader --all --lang glsl --out fresnel.glsl");
+                    "  fresnel shader --all --lang glsl --out fresnel.glsl\n"
+                    "  fresnel shader --verify schlick conductor");
     const auto given = std::make_shared<options>();
     command->add_option("MODEL", given->models, "registry names");
     command
@@ -139,6 +143,7 @@ void add_shader(CLI::App& app) {
     command->add_option("--out", given->out, "write this file")->type_name("FILE");
     command->add_flag("--all", given->all, "every model and the geometry around them");
     add_colour_options(*command, given->colour);
+    add_verify_options(*command, given->verify);
     command->callback([given] { run(*given); });
 }
 
