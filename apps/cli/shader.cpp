@@ -1,5 +1,6 @@
 #include "colour_options.hpp"
 #include "commands.hpp"
+#include "verify_options.hpp"
 
 #include "analysis/compare.hpp"
 #include "emit/library.hpp"
@@ -21,6 +22,7 @@ struct options {
     std::string material, name, out, write, check;
     colour_options colour;
     bool all = false;
+    verify_options verify;
 };
 
 // "f0=0.04", or "f0=1,0.78,0.34" for a value per channel
@@ -114,6 +116,7 @@ void check_folder(const std::string& folder) {
 }
 
 void run(const options& given) {
+<<<<<<< HEAD
     if (!given.write.empty()) {
         emit::write_packs(given.write);
         fmt::print("{}\n", given.write);
@@ -123,6 +126,9 @@ void run(const options& given) {
         check_folder(given.check);
         return;
     }
+=======
+    if (given.verify.wanted) return run_verify(given.verify, given.models);
+>>>>>>> verify
     check(given);
     const std::string text = text_of(given);
     if (given.out.empty()) {
@@ -142,8 +148,12 @@ void add_shader(CLI::App& app) {
                     "  fresnel shader conductor --lang wgsl --fix n_i=1.333\n"
                     "  fresnel shader gulbrandsen --material gold --space acescg --name gold\n"
                     "  fresnel shader --all --lang glsl --out fresnel.glsl\n"
+<<<<<<< HEAD
                     "  fresnel shader --write shaders              every library and engine pack\n"
                     "  fresnel shader --check shaders              whether they are what --write makes");
+=======
+                    "  fresnel shader --verify schlick conductor");
+>>>>>>> verify
     const auto given = std::make_shared<options>();
     command->add_option("MODEL", given->models, "registry names");
     command
@@ -165,6 +175,7 @@ void add_shader(CLI::App& app) {
         ->add_option("--check", given->check, "compare this folder with what --write makes; 1 if they differ")
         ->type_name("DIR");
     add_colour_options(*command, given->colour);
+    add_verify_options(*command, given->verify);
     command->callback([given] { run(*given); });
 }
 
