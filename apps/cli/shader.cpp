@@ -51,11 +51,16 @@ void add_material(const options& given, const std::string& model, emit::model_re
                         "through the exact colours",
                         model));
     const material substance = load_material(given.material);
-    const comparison all = compare(substance, chosen_space(given.colour), chosen_ambient(given.colour));
+    const color_space space = chosen_space(given.colour);
+    const comparison all = compare(substance, space, chosen_ambient(given.colour));
     const model_fit* found = all.find(model);
     if (found == nullptr)
         throw bad_input(
             fmt::format("--material {} with {}: the model does not suit it", given.material, model));
+    request.error = fmt::format("at most {:.3g} in a channel, CIEDE2000 {:.2g}, against the exact colours",
+                                found->error.worst(), found->error.delta_e_max);
+    request.about =
+        fmt::format("{}, fitted in linear {}; {}", given.material, to_string(space), substance.citation);
     const auto& parameters = find_model<double>(model).parameters;
     for (std::size_t i = 0; i < parameters.size(); ++i)
         request.fixed.try_emplace(std::string(parameters[i].name),
@@ -116,7 +121,6 @@ void check_folder(const std::string& folder) {
 }
 
 void run(const options& given) {
-<<<<<<< HEAD
     if (!given.write.empty()) {
         emit::write_packs(given.write);
         fmt::print("{}\n", given.write);
@@ -126,9 +130,7 @@ void run(const options& given) {
         check_folder(given.check);
         return;
     }
-=======
     if (given.verify.wanted) return run_verify(given.verify, given.models);
->>>>>>> verify
     check(given);
     const std::string text = text_of(given);
     if (given.out.empty()) {
@@ -148,12 +150,9 @@ void add_shader(CLI::App& app) {
                     "  fresnel shader conductor --lang wgsl --fix n_i=1.333\n"
                     "  fresnel shader gulbrandsen --material gold --space acescg --name gold\n"
                     "  fresnel shader --all --lang glsl --out fresnel.glsl\n"
-<<<<<<< HEAD
                     "  fresnel shader --write shaders              every library and engine pack\n"
-                    "  fresnel shader --check shaders              whether they are what --write makes");
-=======
+                    "  fresnel shader --check shaders              whether they are what --write makes\n"
                     "  fresnel shader --verify schlick conductor");
->>>>>>> verify
     const auto given = std::make_shared<options>();
     command->add_option("MODEL", given->models, "registry names");
     command

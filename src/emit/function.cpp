@@ -15,7 +15,7 @@ namespace {
 
 // ---- recording --------------------------------------------------------------------------------------------
 
-std::string meaning_of(const parameter& p) { return fmt::format("[{}, {}]", p.min, p.max); }
+std::string meaning_of(const parameter& p) { return fmt::format("{}, [{}, {}]", p.meaning, p.min, p.max); }
 
 constexpr std::string_view angle_meaning = "cosine of incidence, [0, 1]";
 
@@ -41,19 +41,43 @@ void check_fixed(const model_row<double>& row, const request& wanted) {
 sym symbol_of(function& f, const parameter& p, const request& wanted) {
     if (const auto found = wanted.fixed.find(std::string(p.name)); found != wanted.fixed.end()) {
         const auto& [r, g, b] = found->second;
-        return r == g && g == b ? sym::constant(r) : sym::constant(found->second);
+        if (r == g && g == b) return sym::constant(r);
+        const sym value = sym::constant(found->second);
+        f.graph.name(value.node(), p.name);
+        return value;
     }
     const int width = is_ambient(p.name) ? 1 : wanted.width;
     f.arguments.push_back({std::string(p.name), width, meaning_of(p)});
     return f.graph.input(p.name, width);
 }
 
+// An equation on lines of its own, broken after commas where it is long.
+void add_equation(std::vector<std::string>& lines, std::string_view equation) {
+    constexpr std::size_t longest = 96;
+    std::string line = equation.find('=') < equation.find(',') ? "  " : "  F = ";
+    while (!equation.empty()) {
+        const std::size_t end = std::min(equation.find(", "), equation.size());
+        const std::string_view part = equation.substr(0, std::min(end + 2, equation.size()));
+        if (line.size() + part.size() > longest) lines.push_back(line), line = "  ";
+        line += part;
+        equation.remove_prefix(part.size());
+    }
+    lines.push_back(line);
+}
+
+std::string error_of(const model_row<double>& row) {
+    if (!row.error.in_float32.empty()) return fmt::format("rounding only, in float {}", row.error.in_float32);
+    return fmt::format("at most {:.3g}, {}: {}", row.error.max,
+                       can_prove(row.error.over) ? "certified" : "measured", row.error.over);
+}
+
 std::vector<std::string> comment_of(const model_row<double>& row, const function& f) {
-    std::vector<std::string> lines = {std::string(row.summary), "", fmt::format("  {}", row.equation), ""};
+    std::vector<std::string> lines = {std::string(row.summary), ""};
+    add_equation(lines, row.equation);
+    lines.emplace_back();
     for (const argument& a : f.arguments)
         lines.push_back(fmt::format("{:<7} {}", a.name, a.meaning));
-    lines.push_back(fmt::format("error   at most {:.3g}, {}: {}", row.error.max,
-                                can_prove(row.error.over) ? "certified" : "measured", row.error.over));
+    lines.push_back(fmt::format("error   {}", error_of(row)));
     lines.push_back(fmt::format("cost    {} operations", count_operations(f).cost()));
     lines.push_back(fmt::format("source  {}", row.citation));
     return lines;
@@ -111,7 +135,7 @@ std::uint32_t rebuilt(expression_graph& graph, std::uint32_t node, const std::ve
     }
     if (!changed) return node;
     const std::uint32_t made = graph.make(x.op, operands);
-    if (x.named != 0) graph.name(made, x.name);
+    graph.pass_name(node, made);
     return made;
 }
 
@@ -125,7 +149,7 @@ std::uint32_t assume(expression_graph& graph, std::uint32_t node, std::uint32_t 
         const expression x = graph[i];
         if (x.op == operation::choose && x.operands[0] == mask) {
             now[i] = now[x.operands[holds ? 1 : 2]];
-            if (x.named != 0) graph.name(now[i], x.name);
+            graph.pass_name(i, now[i]);
         } else {
             now[i] = rebuilt(graph, i, now);
         }
@@ -148,8 +172,9 @@ void simplify(function& f) {
         if (x.op != operation::choose) continue;
         const std::uint32_t yes = assume(graph, x.operands[1], x.operands[0], true);
         const std::uint32_t no = assume(graph, x.operands[2], x.operands[0], false);
+        const std::uint32_t before = now[i];
         now[i] = graph.make(operation::choose, {x.operands[0], yes, no});
-        if (x.named != 0) graph.name(now[i], x.name);
+        graph.pass_name(before, now[i]);
     }
     for (result& r : f.results)
         r.node = now[r.node];
@@ -183,7 +208,8 @@ function scalarized(const function& f, std::string (*component)(std::string_view
                 now[i][c] = split.graph.make(x.op, operands);
             }
             if (x.named != 0 && (c == 0 || x.width == 3))
-                split.graph.name(now[i][c], x.width == 3 ? x.name + "_" + "xyz"[c] : x.name);
+                split.graph.name(now[i][c],
+                                 x.width == 3 ? x.name + "_" + (f.directions ? "xyz" : "rgb")[c] : x.name);
         }
     }
     for (const result& r : f.results)

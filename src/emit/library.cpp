@@ -77,6 +77,9 @@ bool has_rgb_argument(const function& f) {
 
 function named(function f, const model_request& wanted) {
     if (!wanted.name.empty()) f.name = wanted.name;
+    for (std::string& line : f.comment)
+        if (line.starts_with("error ") && !wanted.error.empty()) line = "error   " + wanted.error;
+    if (!wanted.about.empty()) f.comment.push_back("data    " + wanted.about);
     return f;
 }
 
@@ -175,7 +178,7 @@ std::string postamble(const language& l) {
 }
 
 std::string scalar_text(const language& l, const model_request& wanted, const style& how) {
-    return print(l, named(record(wanted.model, {1, false, wanted.fixed}), wanted), how);
+    return wrapped_lines(print(l, named(record(wanted.model, {1, false, wanted.fixed}), wanted), how));
 }
 
 std::string boundary_text(const language& l, const model_request& wanted, const style& how) {
@@ -183,7 +186,7 @@ std::string boundary_text(const language& l, const model_request& wanted, const 
     f.name += "_boundary";
     f.comment.front() = "Reflectances and transmittances of both polarisations.";
     f.comment.resize(1);
-    return print(l, f, how);
+    return wrapped_lines(print(l, f, how));
 }
 
 std::string channels_text(const language& l, const model_request& wanted, const style& how) {
@@ -192,13 +195,15 @@ std::string channels_text(const language& l, const model_request& wanted, const 
     rgb.comment = {"The same for three channels, which share the angle."};
     const std::string own = legal_name(l, rgb.name);
     const std::string text = comment_block(rgb.comment);
-    if (!l.arithmetic || compares(rgb)) return text + by_channel(l, rgb, own);
+    if (!l.arithmetic || compares(rgb)) return wrapped_lines(text + by_channel(l, rgb, own));
     style plain = how;
     plain.comment = false;
-    return text + rename(print(l, rgb, plain), own, printed_name(l, rgb.name, 3, false));
+    return wrapped_lines(text + rename(print(l, rgb, plain), own, printed_name(l, rgb.name, 3, false)));
 }
 
-std::string model_text(const language& l, const model_request& wanted, const style& how) {
+namespace {
+
+std::string unwrapped_model_text(const language& l, const model_request& wanted, const style& how) {
     const function scalar = named(record(wanted.model, {1, false, wanted.fixed}), wanted);
     std::string text;
     if (scalar.width() == 1) {
@@ -213,12 +218,18 @@ std::string model_text(const language& l, const model_request& wanted, const sty
            by_directions(l, scalar);
 }
 
+} // namespace
+
+std::string model_text(const language& l, const model_request& wanted, const style& how) {
+    return wrapped_lines(unwrapped_model_text(l, wanted, how));
+}
+
 std::string library_text(const language& l) {
     std::string text = preamble(l, fmt::format("fresnel shader --all --lang {}", l.id));
     text += "\n" + rule("directions, angles and indices");
     std::vector<function> geometry = record_geometry();
     for (std::size_t i = 1; i < geometry.size(); ++i)
-        text += print(l, geometry[i]) + "\n";
+        text += wrapped_lines(print(l, geometry[i])) + "\n";
     std::string_view title;
     for (const model_row<double>& row : model_table<double>()) {
         const std::string_view kind = row.kind == model_kind::exact      ? "exact"

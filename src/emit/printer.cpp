@@ -66,7 +66,8 @@ private:
 
     bool is_local(std::uint32_t node) const {
         const expression& x = at(node);
-        if (uses_[node] == 0 || x.op == operation::input || x.op == operation::constant) return false;
+        if (uses_[node] == 0 || x.op == operation::input) return false;
+        if (x.op == operation::constant) return x.width == 3;
         if (is_transparent(node) || is_only_result(node)) return false;
         return x.named != 0 || uses_[node] > 1;
     }
@@ -133,11 +134,27 @@ private:
         return std::nullopt;
     }
 
-    // What a product of one quantity with itself is called, m2 or m5; otherwise t.
+    // The quantity that an operation with 1 is of, if it is that and has a name.
+    std::string beside_one(std::uint32_t node, operation op) const {
+        const expression& x = at(node);
+        if (x.op != op) return {};
+        const bool first = f_.graph.is(x.operands[0], 1), second = f_.graph.is(x.operands[1], 1);
+        const std::string& other = first    ? names_[x.operands[1]]
+                                   : second ? names_[x.operands[0]]
+                                            : names_[node];
+        if (other.empty() || other.find_first_of(".[") != std::string::npos) return {};
+        if (op == operation::add) return other + "_plus_1";
+        return first ? "one_minus_" + other : other + "_minus_1";
+    }
+
+    // What a product of one quantity with itself is called, m2 or m5, and a sum with 1; otherwise t.
     std::string found_name(std::uint32_t node) const {
+        if (at(node).op == operation::constant) return "c";
+        for (const operation op : {operation::add, operation::subtract})
+            if (const std::string name = beside_one(node, op); !name.empty()) return name;
         const auto power = power_of(node);
         if (!power || power->second < 2) return "t";
-        std::string base = names_[power->first];
+        std::string base = names_[power->first].substr(0, names_[power->first].find_first_of(".["));
         if (base == "cos_i") base = "cos";
         if (std::isdigit(static_cast<unsigned char>(base.back())) != 0) base += "_";
         return legal_name(l_, fmt::format("{}{}", base, power->second));
@@ -327,9 +344,38 @@ bool has_triple(const function& f) {
     return false;
 }
 
-std::string declared(const language& l, const function& f, const argument& a, const std::string& name) {
+// Where a line that is too long is broken: behind a comma or a sign, as few brackets deep as can be, as late as fits.
+std::size_t line_break(std::string_view line, std::size_t from, std::size_t longest) {
+    std::size_t best = std::string_view::npos;
+    int depth = 0, best_depth = 0;
+    for (std::size_t i = 0; i + 2 < std::min(line.size(), longest); ++i) {
+        if (line[i] == '(' || line[i] == '{') ++depth;
+        if (line[i] == ')' || line[i] == '}') --depth;
+        if (i < from || line[i + 1] != ' ') continue;
+        const bool sign =
+            line[i - 1] == ' ' && std::string_view("+-?:=").find(line[i]) != std::string_view::npos;
+        if (line[i] != ',' && !sign) continue;
+        if (best == std::string_view::npos || depth <= best_depth) best = i + 2, best_depth = depth;
+    }
+    return best;
+}
+
+std::string wrapped(std::string line) {
+    constexpr std::size_t longest = 110;
+    const std::size_t indent = line.find_first_not_of(' ');
+    std::string text;
+    while (line.size() > longest) {
+        const std::size_t at = line_break(line, indent + 24, longest);
+        if (at == std::string::npos) break;
+        text += line.substr(0, at - 1) + "\n";
+        line = std::string(indent + 8, ' ') + line.substr(at);
+    }
+    return text + line;
+}
+
+std::string declared(const language& l, const function& f, const argument& a) {
     std::string own = legal_name(l, a.name);
-    if (own == name) own += "_";
+    if (own == legal_name(l, f.name)) own += "_";
     const std::string_view type = a.width == 1 ? l.scalar : f.directions ? l.vector : l.triple;
     return l.typed_names ? fmt::format("{}: {}", own, type) : fmt::format("{} {}", type, own);
 }
@@ -375,10 +421,21 @@ std::string comment_block(const std::vector<std::string>& lines) {
     return text;
 }
 
+std::string wrapped_lines(const std::string& text) {
+    std::string result;
+    for (std::size_t from = 0; from < text.size();) {
+        const std::size_t end = std::min(text.find('\n', from), text.size());
+        const std::string line = text.substr(from, end - from);
+        result += (line.starts_with("//") || line.starts_with("#") ? line : wrapped(line)) + "\n";
+        from = end + 1;
+    }
+    return result;
+}
+
 std::string signature(const language& l, const function& f, const std::string& name) {
     std::vector<std::string> arguments;
     for (const argument& a : f.arguments)
-        arguments.push_back(declared(l, f, a, name));
+        arguments.push_back(declared(l, f, a));
     const std::string_view type = f.results.size() == 4 ? "fresnel_boundary"
                                   : f.width() == 1      ? l.scalar
                                   : f.directions        ? l.vector

@@ -189,12 +189,19 @@ public:
         return shared({op, width, operands});
     }
 
-    /// Names a node that has no name yet; inputs and constants keep what they are.
+    /// Names a node that has no name yet. Inputs keep theirs; one number that is constant is written as such.
     void name(std::uint32_t node, std::string_view given) {
         expression& x = nodes_[node];
-        if (x.op == operation::input || x.op == operation::constant || !x.name.empty()) return;
+        if (!can_be_named(x)) return;
         x.name = given;
         x.named = ++names_;
+    }
+
+    /// Gives the name of a node, and its place among the names, to the node that takes its place.
+    void pass_name(std::uint32_t from, std::uint32_t to) {
+        if (nodes_[from].named == 0 || !can_be_named(nodes_[to])) return;
+        nodes_[to].name = nodes_[from].name;
+        nodes_[to].named = nodes_[from].named;
     }
 
     const expression& operator[](std::uint32_t node) const { return nodes_[node]; }
@@ -208,6 +215,10 @@ public:
 
 private:
     static constexpr std::uint32_t none = 0xffffffff;
+
+    static bool can_be_named(const expression& x) {
+        return x.op != operation::input && (x.op != operation::constant || x.width == 3) && x.name.empty();
+    }
 
     struct key_hash {
         std::size_t operator()(const std::array<std::uint32_t, 8>& key) const {

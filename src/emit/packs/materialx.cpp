@@ -59,31 +59,11 @@ double slider_end(const parameter& p) {
     return 10;
 }
 
-std::string meaning(std::string_view name) {
-    if (name == "n_i") return "Index of refraction in front of the surface";
-    if (name == "n_t") return "Index of refraction behind the surface";
-    if (name == "k_t") return "Extinction coefficient behind the surface";
-    if (name == "n") return "Index of refraction, relative to the medium in front";
-    if (name == "k") return "Extinction coefficient, relative to the medium in front";
-    if (name == "eta") return "Relative index of refraction, below 1: the surface is seen from inside";
-    if (name == "f0") return "Reflectance at normal incidence";
-    if (name == "f82") return "Reflectance at a cosine of 1/7, about 82 degrees";
-    if (name == "f90") return "Reflectance at grazing incidence";
-    if (name == "tint") return "Reflectance at a cosine of 1/7 as a fraction of Schlick's there";
-    if (name == "power") return "Power of 1 - cos_i";
-    if (name == "a") return "Strength of the dip before grazing incidence";
-    if (name == "alpha") return "Power of the dip";
-    if (name == "r") return "Reflectance at normal incidence";
-    if (name == "g") return "Edge tint";
-    if (name == "bias") return "Value at normal incidence";
-    return "Scale of the rim";
-}
-
 port port_of(const parameter& p, int width) {
     return {std::string(p.name), width,
             fmt::format(R"(value="{}" uimin="{}" uimax="{}" uisoftmax="{}" uiname="{}" doc="{}")",
                         values(p.default_value, width), values(p.min, width), values(p.max, width),
-                        values(slider_end(p), width), p.name, meaning(p.name))};
+                        values(slider_end(p), width), p.name, escaped(p.meaning))};
 }
 
 port cosine_port() {
