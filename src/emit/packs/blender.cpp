@@ -82,7 +82,7 @@ std::string shader_text(const language& l, const model_row<double>& row) {
     }
     arguments.push_back("cos_i");
     text += "    normal Normal = N,\n    output color F = 0.0) {\n"
-            "    float cos_i = incidence_cosine(Normal, -I);\n";
+            "    float cos_i = incidence_cosine(Normal, I); // in Cycles I points to the eye\n";
     if (is_transparent(row))
         text += fmt::format(
             "    if (backfacing()) // the ray is inside\n        F = {};\n    else\n        F = {};\n",
