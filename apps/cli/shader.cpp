@@ -1,6 +1,7 @@
 #include "colour_options.hpp"
 #include "commands.hpp"
 #include "parameter_options.hpp"
+#include "verify_options.hpp"
 
 #include "analysis/compare.hpp"
 #include "emit/library.hpp"
@@ -23,6 +24,7 @@ struct options {
     std::string material, name, technique, stage, out, write, check;
     colour_options colour;
     bool all = false;
+    verify_options verify;
 };
 
 void add_material(const options& given, const std::string& model, emit::model_request& request) {
@@ -129,6 +131,7 @@ void run(const options& given) {
         check_folder(given.check);
         return;
     }
+    if (given.verify.wanted) return run_verify(given.verify, given.models);
     check(given);
     const std::string text = text_of(given);
     if (given.out.empty()) {
@@ -150,7 +153,8 @@ void add_shader(CLI::App& app) {
                     "  fresnel shader --all --lang glsl --out fresnel.glsl\n"
                     "  fresnel shader schlick --technique per-pixel --lang glsl --stage fragment\n"
                     "  fresnel shader --write shaders              every library and engine pack\n"
-                    "  fresnel shader --check shaders              whether they are what --write makes");
+                    "  fresnel shader --check shaders              whether they are what --write makes\n"
+                    "  fresnel shader --verify schlick conductor");
     const auto given = std::make_shared<options>();
     command->add_option("MODEL", given->models, "registry names");
     command
@@ -180,6 +184,7 @@ void add_shader(CLI::App& app) {
         ->add_option("--check", given->check, "compare this folder with what --write makes; 1 if they differ")
         ->type_name("DIR");
     add_colour_options(*command, given->colour);
+    add_verify_options(*command, given->verify);
     command->callback([given] { run(*given); });
 }
 

@@ -83,14 +83,6 @@ function named(function f, const model_request& wanted) {
     return f;
 }
 
-std::string boundary_text(const language& l, const model_request& wanted, const style& how) {
-    function f = named(record(wanted.model, {1, true, wanted.fixed}), wanted);
-    f.name += "_boundary";
-    f.comment.front() = "Reflectances and transmittances of both polarisations.";
-    f.comment.resize(1);
-    return "\n" + print(l, f, how);
-}
-
 // The RGB function without what stands beside it.
 std::string rgb_alone(const language& l, const function& rgb, const style& how) {
     const std::string own = legal_name(l, rgb.name);
@@ -102,10 +94,10 @@ std::string rgb_alone(const language& l, const function& rgb, const style& how) 
 }
 
 std::string rgb_text(const language& l, const model_request& wanted, const style& how) {
-    function rgb = named(record(wanted.model, {3, false, wanted.fixed}), wanted);
-    if (!has_rgb_argument(rgb)) return {};
-    rgb.comment = {"The same for three channels, which share the angle."};
-    return "\n" + rgb_alone(l, rgb, how) + "\n" + by_directions(l, rgb);
+    const std::string text = channels_text(l, wanted, how);
+    if (text.empty()) return {};
+    const function rgb = named(record(wanted.model, {3, false, wanted.fixed}), wanted);
+    return "\n" + text + "\n" + by_directions(l, rgb);
 }
 
 std::vector<std::string> helper_types(const language& l) {
@@ -170,6 +162,13 @@ std::string rule(std::string_view title) {
 
 } // namespace
 
+std::string boundary_type(const language& l) {
+    std::string types;
+    for (const std::string& line : helper_types(l))
+        types += line + "\n";
+    return types;
+}
+
 std::string preamble(const language& l, std::string_view made_by) {
     const std::vector<std::string> head = {
         fmt::format("Fresnel reflectance in {}. Made by `{}`; do not edit.", l.title, made_by),
@@ -180,10 +179,7 @@ std::string preamble(const language& l, std::string_view made_by) {
         "surface;",
         "which one stands beside the normal is yours: the view, the light or the half vector with either.",
         "Reflectance is of unpolarised light and lies in [0, 1]. RGB values are linear."};
-    std::string types;
-    for (const std::string& line : helper_types(l))
-        types += line + "\n";
-    return comment_block(head) + "\n" + opening(l) + types + "\n" + print(l, cosine_function());
+    return comment_block(head) + "\n" + opening(l) + boundary_type(l) + "\n" + print(l, cosine_function());
 }
 
 std::string postamble(const language& l) {
@@ -195,6 +191,21 @@ std::string scalar_text(const language& l, const model_request& wanted, const st
     return wrapped_lines(print(l, named(record(wanted.model, {1, false, wanted.fixed}), wanted), how));
 }
 
+std::string boundary_text(const language& l, const model_request& wanted, const style& how) {
+    function f = named(record(wanted.model, {1, true, wanted.fixed}), wanted);
+    f.name += "_boundary";
+    f.comment.front() = "Reflectances and transmittances of both polarisations.";
+    f.comment.resize(1);
+    return wrapped_lines(print(l, f, how));
+}
+
+std::string channels_text(const language& l, const model_request& wanted, const style& how) {
+    function rgb = named(record(wanted.model, {3, false, wanted.fixed}), wanted);
+    if (!has_rgb_argument(rgb)) return {};
+    rgb.comment = {"The same for three channels, which share the angle."};
+    return wrapped_lines(rgb_alone(l, rgb, how));
+}
+
 namespace {
 
 std::string unwrapped_model_text(const language& l, const model_request& wanted, const style& how) {
@@ -202,7 +213,8 @@ std::string unwrapped_model_text(const language& l, const model_request& wanted,
     std::string text;
     if (scalar.width() == 1) {
         text = print(l, scalar, how) + "\n" + by_directions(l, scalar) + rgb_text(l, wanted, how);
-        if (find_model<double>(wanted.model).kind == model_kind::exact) text += boundary_text(l, wanted, how);
+        if (find_model<double>(wanted.model).kind == model_kind::exact)
+            text += "\n" + boundary_text(l, wanted, how);
         return text;
     }
     // parameters that are fixed to colours: there is no scalar function

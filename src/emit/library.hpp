@@ -44,4 +44,12 @@ std::string library_text(const language& l);
 /// The model's function for one number, alone: the text that is compared with the model bit by bit.
 std::string scalar_text(const language& l, const model_request& wanted, const style& how = {});
 
+/// The same for three channels, alone; some of them call the scalar function, which must stand before. Empty where no
+/// parameter has channels.
+std::string channels_text(const language& l, const model_request& wanted, const style& how = {});
+
+/// Of an exact model the function of R_s, R_p, T_s and T_p, alone, and the type that it returns.
+std::string boundary_text(const language& l, const model_request& wanted, const style& how = {});
+std::string boundary_type(const language& l);
+
 } // namespace fresnel::emit

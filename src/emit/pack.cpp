@@ -66,7 +66,7 @@ std::vector<pack_file> language_packs() {
 
 std::vector<pack_file> all_packs() {
     std::vector<pack_file> files = language_packs();
-    for (const auto pack : {godot_pack, threejs_pack, unity_pack, unreal_pack})
+    for (const auto pack : {blender_pack, godot_pack, materialx_pack, threejs_pack, unity_pack, unreal_pack})
         for (pack_file& file : pack())
             files.push_back(std::move(file));
     files.push_back(index_of(files));

@@ -23,6 +23,11 @@ std::vector<pack_file> unity_pack();
 
 /// unreal/: the HLSL library for the Custom node, and how it is used there.
 std::vector<pack_file> unreal_pack();
+/// A MaterialX data library: a node for every model, in GLSL and OSL.
+std::vector<pack_file> materialx_pack();
+
+/// OSL shaders for the Script node of Blender's Cycles, one for every model.
+std::vector<pack_file> blender_pack();
 
 /// Every file of shaders/, in order of path. Each engine's pack is made in a file of its own under src/emit/packs.
 std::vector<pack_file> all_packs();

@@ -1,0 +1,119 @@
+#include "commands.hpp"
+#include "verify_options.hpp"
+
+#include "conform/verify.hpp"
+#include "error.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <unistd.h>
+
+namespace fresnel::cli {
+
+namespace {
+
+using emit::verify_result;
+
+constexpr std::size_t most_rows = 4'000'000;
+
+nlohmann::json described(const verify_result& r) {
+    nlohmann::json one = {{"id", r.what.id},
+                          {"name", r.what.name},
+                          {"kind", emit::to_string(r.what.kind)},
+                          {"receiver", r.receiver},
+                          {"inputs", r.found.rows + r.found.nan_rows},
+                          {"compared", r.found.rows},
+                          {"differing", r.found.differing},
+                          {"max_difference", r.found.max_difference},
+                          {"max_ulp", r.found.max_ulp},
+                          {"allowed", r.allowed},
+                          {"nan_inputs", r.found.nan_rows},
+                          {"nan_differing", r.found.nan_differing},
+                          {"passed", r.passed()}};
+    return one;
+}
+
+void print_table(const conform::verification& all) {
+    for (const std::string& receiver : all.receivers)
+        fmt::print("{}\n", receiver);
+    fmt::print("\n{:<34} {:<13} {:>8} {:>9} {:>9} {:>8} {:>8} {:>8} {:>9}  {}\n", "function", "receiver",
+               "inputs", "differing", "largest", "ulp", "allowed", "NaN", "differing", "");
+    for (const verify_result& r : all.results)
+        fmt::print("{:<34} {:<13} {:>8} {:>9} {:>9.2g} {:>8} {:>8.2g} {:>8} {:>9}  {}\n", r.what.id,
+                   r.receiver, r.found.rows, r.found.differing, r.found.max_difference, r.found.max_ulp,
+                   r.allowed, r.found.nan_rows, r.found.nan_differing, r.passed() ? "" : "FAILS");
+    for (const conform::skipped_receiver& s : all.skipped)
+        fmt::print("skipped: {}: {}\n", s.receiver, s.reason);
+    fmt::print(
+        "\nInputs in whose evaluation something is NaN are counted apart: what min, max, clamp and "
+        "comparisons "
+        "make of a NaN is left\nopen by every shading language. Inputs that meet a subnormal number are left "
+        "out.\n");
+}
+
+void print(const verify_options& given, const conform::verification& all) {
+    if (!given.json) {
+        print_table(all);
+        return;
+    }
+    nlohmann::json results = nlohmann::json::array(), skipped = results;
+    for (const verify_result& r : all.results)
+        results.push_back(described(r));
+    for (const conform::skipped_receiver& s : all.skipped)
+        skipped.push_back({{"receiver", s.receiver}, {"reason", s.reason}});
+    print_json({{"receivers", all.receivers}, {"results", results}, {"skipped", skipped}});
+}
+
+void check(const verify_options& given) {
+    if (given.rows > most_rows)
+        throw bad_input(fmt::format("--rows = {}: must be in [1, {}]", given.rows, most_rows));
+    if (!given.dump.empty() && !given.compare.empty())
+        throw bad_input("--dump, --compare: only one of the two can be given");
+}
+
+} // namespace
+
+void add_verify_options(CLI::App& command, verify_options& given) {
+    command.add_flag(
+        "--verify", given.wanted,
+        "run the text on graphics devices and by C compilers here, compare bit by bit with the model");
+    command.add_flag("--json", given.json, "with --verify: JSON");
+    command
+        .add_option("--rows", given.rows, "with --verify: inputs of each function (default 262144, or 65536)")
+        ->type_name("N")
+        ->check(CLI::PositiveNumber);
+    command
+        .add_option("--dump", given.dump,
+                    "with --verify: write inputs, expected values and texts for other runners")
+        ->type_name("DIR");
+    command.add_option("--compare", given.compare, "with --verify: compare what another runner wrote there")
+        ->type_name("DIR");
+}
+
+void run_verify(const verify_options& given, const std::vector<std::string>& models) {
+    check(given);
+    const std::vector<emit::verify_case> cases = emit::verify_cases(models);
+    if (!given.dump.empty()) {
+        emit::dump_cases(given.dump, cases, {}, given.rows);
+        fmt::print("{}\n", given.dump);
+        return;
+    }
+    conform::verification all;
+    if (!given.compare.empty()) {
+        all.results = emit::check_dump(given.compare, cases);
+    } else {
+        const bool shown = isatty(STDERR_FILENO) != 0;
+        all = conform::verify(cases, given.rows, [shown](std::string_view receiver, std::string_view id) {
+            if (shown) fmt::print(stderr, "\r\033[Kverify: {} {}", receiver, id);
+        });
+        if (shown) fmt::print(stderr, "\r\033[K");
+    }
+    print(given, all);
+    if (!all.passed()) {
+        std::fflush(stdout);
+        throw failure("--verify: a text does not give what is claimed of it; the table says which");
+    }
+}
+
+} // namespace fresnel::cli

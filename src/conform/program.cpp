@@ -1,0 +1,162 @@
+#include "conform/program.hpp"
+
+#include "conform/tool.hpp"
+#include "emit/language.hpp"
+#include "error.hpp"
+#include "figure/figure.hpp"
+
+#include <fmt/format.h>
+
+namespace fresnel::conform {
+
+namespace {
+
+// Names of the buffers and of what main declares, which no text of a user's is likely to hold.
+constexpr std::string_view glsl_frame = R"(#version 430
+layout(local_size_x = 64) in;
+layout(std430, binding = 0) readonly buffer fresnel_in {{ float fresnel_inputs[]; }};
+layout(std430, binding = 1) writeonly buffer fresnel_out {{ float fresnel_outputs[]; }};
+#line 1
+{text}
+void main() {{
+    uint fresnel_row = gl_GlobalInvocationID.x;
+    if (fresnel_row >= {rows}u) return;
+{loads}    {type} fresnel_value = {call};
+{stores}}}
+)";
+
+constexpr std::string_view hlsl_frame = R"([[vk::binding(0)]] StructuredBuffer<float> fresnel_inputs;
+[[vk::binding(1)]] RWStructuredBuffer<float> fresnel_outputs;
+#line 1
+{text}
+[numthreads(64, 1, 1)] void main(uint3 fresnel_id : SV_DispatchThreadID) {{
+    uint fresnel_row = fresnel_id.x;
+    if (fresnel_row >= {rows}u) return;
+{loads}    {type} fresnel_value = {call};
+{stores}}}
+)";
+
+// The text comes first, since WGSL cannot say which line it is.
+constexpr std::string_view wgsl_frame = R"({text}
+@group(0) @binding(0) var<storage, read> fresnel_inputs: array<f32>;
+@group(0) @binding(1) var<storage, read_write> fresnel_outputs: array<f32>;
+@compute @workgroup_size(64)
+fn main(@builtin(global_invocation_id) fresnel_id: vec3<u32>) {{
+    let fresnel_row = fresnel_id.x;
+    if (fresnel_row >= {rows}u) {{ return; }}
+{loads}    let fresnel_value = {call};
+{stores}}}
+)";
+
+std::string component(int results, int i) {
+    if (results == 1) return "";
+    if (results == 3) return fmt::format(".{}", "xyz"[i]);
+    constexpr std::string_view names[] = {"R_s", "R_p", "T_s", "T_p"};
+    return fmt::format(".{}", names[i]);
+}
+
+// ---- GLSL -------------------------------------------------------------------------------------------------
+
+class glsl_runner final : public shader_runner {
+public:
+    std::string name() const override { return device_->name(); }
+    std::vector<float> run(const program& p, std::span<const float> inputs) override {
+        const std::size_t rows = inputs.size() / static_cast<std::size_t>(p.columns);
+        return device_->run(compute_shader("glsl", p, rows), inputs,
+                            {rows, static_cast<std::size_t>(p.results)});
+    }
+
+private:
+    std::unique_ptr<render::compute_device> device_ = render::open_opengl();
+};
+
+// ---- HLSL and WGSL, by SPIR-V -----------------------------------------------------------------------------
+
+/// What makes SPIR-V of a language: the words of its command line before and after the two files.
+struct compiler {
+    std::string tool, package;
+    std::vector<std::string> before, between;
+};
+
+const compiler& compiler_of(std::string_view language) {
+    static const compiler hlsl{
+        "glslangValidator", "glslang-tools", {"-D", "-V", "-S", "comp", "-e", "main", "-o"}, {}};
+    static const compiler wgsl{"naga", "the crate naga-cli", {}, {}};
+    return language == "hlsl" ? hlsl : wgsl;
+}
+
+class spirv_runner final : public shader_runner {
+public:
+    explicit spirv_runner(std::string_view language)
+        : language_(language), compiler_(compiler_of(language)), device_(open(compiler_)) {}
+
+    std::string name() const override { return fmt::format("{}, by {}", device_->name(), compiler_.tool); }
+
+    std::vector<float> run(const program& p, std::span<const float> inputs) override {
+        const std::size_t rows = inputs.size() / static_cast<std::size_t>(p.columns);
+        return device_->run(compiled(compute_shader(language_, p, rows)), inputs,
+                            {rows, static_cast<std::size_t>(p.results)});
+    }
+
+private:
+    static std::unique_ptr<render::compute_device> open(const compiler& c) {
+        if (!has_tool(c.tool))
+            throw render::no_device(fmt::format("{} is not there; install {}", c.tool, c.package));
+        return render::open_vulkan();
+    }
+
+    std::string compiled(const std::string& source) const {
+        const scratch_folder scratch;
+        const std::string in = (scratch.path / ("shader." + language_)).string();
+        const std::string out = (scratch.path / "shader.spv").string();
+        write_file(in, source);
+        std::vector<std::string> line = {compiler_.tool};
+        line.insert(line.end(), compiler_.before.begin(), compiler_.before.end());
+        if (language_ == "hlsl")
+            line.insert(line.end(), {out, in});
+        else
+            line.insert(line.end(), {in, out});
+        const tool_end end = run_tool(line);
+        if (end.status != 0) throw render::refused_shader(without(end.said, scratch.path.string() + "/"));
+        return read_file(out);
+    }
+
+    static std::string without(std::string text, const std::string& part) {
+        for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at))
+            text.erase(at, part.size());
+        return text;
+    }
+
+    std::string language_;
+    const compiler& compiler_;
+    std::unique_ptr<render::compute_device> device_;
+};
+
+} // namespace
+
+std::string column(int k) { return fmt::format("fresnel_x{}", k); }
+
+std::string compute_shader(std::string_view language, const program& p, std::size_t rows) {
+    const bool wgsl = language == "wgsl";
+    std::string loads, stores;
+    for (int k = 0; k < p.columns; ++k)
+        loads += fmt::format("    {} {} = fresnel_inputs[fresnel_row * {}u + {}u];\n", wgsl ? "let" : "float",
+                             column(k), p.columns, k);
+    for (int k = 0; k < p.results; ++k)
+        stores += fmt::format("    fresnel_outputs[fresnel_row * {}u + {}u] = fresnel_value{};\n", p.results,
+                              k, component(p.results, k));
+    const std::string_view type =
+        p.results == 4 ? "fresnel_boundary" : emit::find_language(language).type(p.results);
+    const std::string_view frame = wgsl ? wgsl_frame : language == "hlsl" ? hlsl_frame : glsl_frame;
+    return fmt::format(fmt::runtime(frame), fmt::arg("text", p.text), fmt::arg("rows", rows),
+                       fmt::arg("loads", loads), fmt::arg("type", type), fmt::arg("call", p.call),
+                       fmt::arg("stores", stores));
+}
+
+std::unique_ptr<shader_runner> open_runner(std::string_view language) {
+    if (language == "glsl") return std::make_unique<glsl_runner>();
+    if (language == "hlsl" || language == "wgsl") return std::make_unique<spirv_runner>(language);
+    throw bad_input(fmt::format("--lang = '{}': cannot be run here; must be glsl, hlsl or wgsl", language));
+}
+
+} // namespace fresnel::conform

@@ -1,0 +1,423 @@
+// MaterialX: a data library with a node for every model. A node's reflectance is source text in GLSL, which every
+// hardware target of MaterialX inherits, and in OSL; the angle between normal and view is put before it by a graph.
+
+#include "analysis/curve.hpp"
+#include "emit/library.hpp"
+#include "emit/pack.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace fresnel::emit {
+
+namespace {
+
+constexpr std::string_view root = "materialx/libraries/fresnel/";
+
+/// An input or output of a node.
+struct port {
+    std::string name;
+    int width = 1;
+    std::string attributes = {}; ///< value, range, what it is
+};
+
+/// A node that source text implements, for one type of its values.
+struct node {
+    std::string category; ///< "fresnel_schlick_cos"
+    std::string suffix;   ///< of its definition: "float" or "color3"
+    std::string doc;
+    std::vector<port> inputs, outputs;
+    std::string file; ///< of its source text, without the extension
+
+    std::string definition() const { return fmt::format("ND_{}_{}", category, suffix); }
+    std::string function() const { return fmt::format("mx_{}_{}", category, suffix); }
+};
+
+std::string escaped(std::string_view text) {
+    std::string xml;
+    for (const char c : text)
+        xml += c == '&'   ? "&amp;"
+               : c == '<' ? "&lt;"
+               : c == '>' ? "&gt;"
+               : c == '"' ? "&quot;"
+                          : std::string(1, c);
+    return xml;
+}
+
+// ---- what stands in a definition --------------------------------------------------------------------------
+
+std::string values(double x, int width) {
+    const std::string one = fmt::format("{:.7g}", x);
+    return width == 1 ? one : fmt::format("{0}, {0}, {0}", one);
+}
+
+// Where a slider ends of a parameter whose range is far wider than what is asked for.
+double slider_end(const parameter& p) {
+    if (p.max <= 1) return p.max;
+    if (p.name == "n_i" || p.name == "n_t" || p.name == "n") return 5;
+    return 10;
+}
+
+port port_of(const parameter& p, int width) {
+    return {std::string(p.name), width,
+            fmt::format(R"(value="{}" uimin="{}" uimax="{}" uisoftmax="{}" uiname="{}" doc="{}")",
+                        values(p.default_value, width), values(p.min, width), values(p.max, width),
+                        values(slider_end(p), width), p.name, escaped(p.meaning))};
+}
+
+port cosine_port() {
+    return {"cos_i", 1, R"(value="1" uimin="0" uimax="1" uiname="cos_i" doc="Cosine of incidence")"};
+}
+
+std::vector<port> direction_ports() {
+    return {
+        {"normal", 3, R"(defaultgeomprop="Nworld" uiname="normal" doc="Unit normal")"},
+        {"viewdirection", 3,
+         R"(defaultgeomprop="Vworld" uiname="viewdirection" doc="Unit direction from the eye to the surface")"}};
+}
+
+std::string_view type_of(const port& p, std::string_view triple = "color3") {
+    if (p.width == 1) return "float";
+    return p.name == "normal" || p.name == "viewdirection" ? "vector3" : triple;
+}
+
+std::string definition_text(const node& n) {
+    std::string text = fmt::format(
+        "  <nodedef name=\"{}\" node=\"{}\" nodegroup=\"math\" version=\"{}\" isdefaultversion=\"true\" "
+        "doc=\"{}\">\n",
+        n.definition(), n.category, FRESNEL_VERSION, escaped(n.doc));
+    for (const port& p : n.inputs)
+        text += fmt::format("    <input name=\"{}\" type=\"{}\" {} />\n", p.name, type_of(p), p.attributes);
+    for (const port& p : n.outputs)
+        text += fmt::format("    <output name=\"{}\" type=\"{}\" />\n", p.name, type_of(p));
+    return text + "  </nodedef>\n";
+}
+
+// ---- the nodes --------------------------------------------------------------------------------------------
+
+std::vector<port> ports_of(const function& f, const model_row<double>& row) {
+    std::vector<port> ports;
+    for (std::size_t i = 0; i < row.parameters.size(); ++i)
+        ports.push_back(port_of(row.parameters[i], f.arguments[i].width));
+    ports.push_back(cosine_port());
+    return ports;
+}
+
+std::string prefixed(std::string_view name) { return fmt::format("fresnel_{}", name); }
+
+std::vector<node> nodes_of(const model_row<double>& row) {
+    const std::string name = prefixed(row.name), model(row.name);
+    const std::string doc = fmt::format("{} {}", row.summary, row.equation);
+    std::vector<node> nodes;
+    for (const int width : {1, 3}) {
+        const function f = record(model, {width, false, {}});
+        if (f.width() != width) continue;
+        const std::string suffix = width == 1 ? "float" : "color3";
+        nodes.push_back({name + "_cos", suffix, doc, ports_of(f, row), {{"out", width}}, "mx_" + name});
+        if (width == 1 && row.polarised()) {
+            std::vector<port> outputs;
+            for (const result& r : record(model, {1, true, {}}).results)
+                outputs.push_back({r.name});
+            nodes.push_back(
+                {name + "_boundary", suffix,
+                 fmt::format("{} Reflectance R and transmittance T of both polarisations, across (s) and "
+                             "along (p) the plane of incidence.",
+                             row.summary),
+                 ports_of(f, row), outputs, "mx_" + name + "_boundary"});
+        }
+    }
+    return nodes;
+}
+
+node cosine_node() {
+    return {
+        "fresnel_cosine",
+        "float",
+        "Cosine of incidence, 0 where the surface is seen from behind. For a light or a half vector give its "
+        "negative as viewdirection.",
+        direction_ports(),
+        {{"out"}},
+        "mx_fresnel_cosine"};
+}
+
+// Angles and indices around the models: the functions of numbers alone.
+std::vector<function> helpers() {
+    std::vector<function> found;
+    for (const function& f : record_geometry())
+        if (std::all_of(f.arguments.begin(), f.arguments.end(),
+                        [](const argument& a) { return a.width == 1; }))
+            found.push_back(f);
+    return found;
+}
+
+node helper_node(const function& f) {
+    std::vector<port> inputs;
+    for (const argument& a : f.arguments) {
+        if (a.name == "cos_i")
+            inputs.push_back(cosine_port());
+        else if (a.name == "f0")
+            inputs.push_back(port_of(row::f0, 1));
+        else
+            inputs.push_back({a.name, 1,
+                              R"(value="1.5" uimin="0.001" uimax="1000" uisoftmax="5" uiname="eta" )"
+                              R"(doc="Relative index of refraction, n_t / n_i")"});
+    }
+    const std::string name = prefixed(f.name);
+    return {name, "float", f.comment.front(), inputs, {{"out"}}, "mx_" + name};
+}
+
+// The same node with normal and viewdirection in place of the cosine.
+node by_view(node n) {
+    n.category.resize(n.category.size() - std::string_view("_cos").size());
+    n.inputs.pop_back();
+    for (port& p : direction_ports())
+        n.inputs.push_back(std::move(p));
+    return n;
+}
+
+std::string graph_text(const node& at_cosine) {
+    const node n = by_view(at_cosine);
+    const std::string type(type_of(n.outputs.front()));
+    std::string text = fmt::format("  <nodegraph name=\"NG_{}_{}\" nodedef=\"{}\">\n"
+                                   "    <fresnel_cosine name=\"cos_i\" type=\"float\">\n",
+                                   n.category, n.suffix, n.definition());
+    for (const port& p : direction_ports())
+        text += fmt::format("      <input name=\"{0}\" type=\"vector3\" interfacename=\"{0}\" />\n", p.name);
+    text += fmt::format("    </fresnel_cosine>\n    <{} name=\"reflectance\" type=\"{}\">\n",
+                        at_cosine.category, type);
+    for (std::size_t i = 0; i + 1 < at_cosine.inputs.size(); ++i)
+        text += fmt::format("      <input name=\"{0}\" type=\"{1}\" interfacename=\"{0}\" />\n",
+                            at_cosine.inputs[i].name, type_of(at_cosine.inputs[i]));
+    return text +
+           fmt::format("      <input name=\"cos_i\" type=\"float\" nodename=\"cos_i\" />\n    </{}>\n"
+                       "    <output name=\"out\" type=\"{}\" nodename=\"reflectance\" />\n  </nodegraph>\n",
+                       at_cosine.category, type);
+}
+
+// ---- source text ------------------------------------------------------------------------------------------
+
+/// How a target of MaterialX is written.
+struct target {
+    const language& l;
+    std::string_view id, output; ///< its name, what stands before an argument that is written to
+};
+
+std::vector<target> targets() {
+    return {{find_language("glsl"), "genglsl", "out"}, {find_language("osl"), "genosl", "output"}};
+}
+
+// The function that MaterialX calls: inputs, then outputs.
+std::string entry_text(const target& t, const node& n, std::string_view body) {
+    std::vector<std::string> arguments;
+    for (const port& p : n.inputs)
+        arguments.push_back(fmt::format("{} {}",
+                                        p.width == 1              ? t.l.scalar
+                                        : type_of(p) == "vector3" ? t.l.vector
+                                                                  : t.l.triple,
+                                        legal_name(t.l, p.name)));
+    for (const port& p : n.outputs)
+        arguments.push_back(
+            fmt::format("{} {} {}", t.output, t.l.type(p.width), p.name == "out" ? "result" : p.name));
+    return fmt::format("void {}({}) {{\n{}}}\n", n.function(), fmt::join(arguments, ", "), body);
+}
+
+std::string call_text(const target& t, const node& n, const std::string& function) {
+    std::vector<std::string> arguments;
+    for (const port& p : n.inputs)
+        arguments.push_back(legal_name(t.l, p.name));
+    return call(function, arguments);
+}
+
+std::string entry_of(const target& t, const node& n) {
+    const std::string function =
+        prefixed(std::string_view(n.file).substr(std::string_view("mx_fresnel_").size()));
+    if (n.outputs.size() == 1)
+        return entry_text(t, n, fmt::format("    result = {};\n", call_text(t, n, function)));
+    std::string body = fmt::format("    fresnel_boundary boundary = {};\n", call_text(t, n, function));
+    for (const port& p : n.outputs)
+        body += fmt::format("    {0} = boundary.{0};\n", p.name);
+    return entry_text(t, n, body);
+}
+
+// A shader may use a node for numbers and for colours, and then holds the file twice.
+std::string guarded(std::string_view name, const std::string& text) {
+    std::string guard(name);
+    for (char& c : guard)
+        c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return fmt::format("#ifndef {0}\n#define {0}\n\n{1}\n#endif\n", guard, text);
+}
+
+std::string source_path(const target& t, std::string_view file) {
+    return fmt::format("{}{}/{}.{}", root, t.id, file, t.l.extension);
+}
+
+void add_model_sources(const target& t, const model_row<double>& row, std::vector<pack_file>& files) {
+    const std::vector<node> nodes = nodes_of(row);
+    const std::string name = prefixed(row.name);
+    const model_request request{std::string(row.name), {}, name};
+    std::string text = scalar_text(t.l, request);
+    if (const std::string channels = channels_text(t.l, request); !channels.empty()) text += "\n" + channels;
+    for (const node& n : nodes)
+        if (n.outputs.size() == 1) text += "\n" + entry_of(t, n);
+    files.push_back({source_path(t, "mx_" + name), guarded(name, text)});
+    for (const node& n : nodes)
+        if (n.outputs.size() > 1)
+            files.push_back({source_path(t, n.file),
+                             fmt::format("#include \"lib/fresnel_boundary.{}\"\n\n", t.l.extension) +
+                                 boundary_text(t.l, request) + "\n" + entry_of(t, n)});
+}
+
+std::string helper_source(const target& t, function f) {
+    const node n = helper_node(f);
+    f.name = prefixed(f.name);
+    return print(t.l, f) + "\n" + entry_of(t, n);
+}
+
+std::string cosine_source(const target& t) {
+    function f = record_geometry().front();
+    f.name = prefixed(f.name);
+    const std::string body =
+        fmt::format("    result = {};\n", call(f.name, {legal_name(t.l, "normal"), "-viewdirection"}));
+    return print(t.l, f) + "\n" + entry_text(t, cosine_node(), body);
+}
+
+// ---- the files --------------------------------------------------------------------------------------------
+
+std::vector<node> source_nodes() {
+    std::vector<node> nodes = {cosine_node()};
+    for (const model_row<double>& row : model_table<double>())
+        for (node& n : nodes_of(row))
+            nodes.push_back(std::move(n));
+    for (const function& f : helpers())
+        nodes.push_back(helper_node(f));
+    return nodes;
+}
+
+bool takes_cosine_alone(const node& n) { return n.category.ends_with("_cos"); }
+
+std::string document(std::string_view what, const std::string& content) {
+    return fmt::format(
+        "<?xml version=\"1.0\"?>\n<materialx version=\"1.39\">\n"
+        "  <!-- fresnel {}: {}. Made by `fresnel shader --write`; do not edit. -->\n\n{}</materialx>\n",
+        FRESNEL_VERSION, what, content);
+}
+
+std::string definitions_document(const std::vector<node>& nodes) {
+    std::string text;
+    for (const node& n : nodes)
+        text += (takes_cosine_alone(n) ? definition_text(by_view(n)) + "\n" : "") + definition_text(n) + "\n";
+    text.pop_back();
+    return document("definitions of nodes", text);
+}
+
+std::string graphs_document(const std::vector<node>& nodes) {
+    std::string text;
+    for (const node& n : nodes)
+        if (takes_cosine_alone(n)) text += graph_text(n) + "\n";
+    text.pop_back();
+    return document("nodes that take normal and viewdirection", text);
+}
+
+std::string implementations_document(const target& t, const std::vector<node>& nodes) {
+    std::string text;
+    for (const node& n : nodes)
+        text += fmt::format("  <implementation name=\"IM_{0}_{1}_{2}\" nodedef=\"{3}\" file=\"{4}.{5}\" "
+                            "function=\"{6}\" target=\"{2}\" />\n",
+                            n.category, n.suffix, t.id, n.definition(), n.file, t.l.extension, n.function());
+    return document(fmt::format("implementations in {}", t.l.title), text);
+}
+
+// What a user's document looks like: a measured metal, by its colours at two angles.
+std::string example() {
+    const normal_colour copper = colour_at_normal(load_material("copper"), color_space::srgb, 1);
+    const auto triple = [](const rgb& c) { return fmt::format("{:.4g}, {:.4g}, {:.4g}", c[0], c[1], c[2]); };
+    return fmt::format(R"(<?xml version="1.0"?>
+<materialx version="1.39" colorspace="lin_rec709">
+  <!-- The reflectance of copper as a colour that depends on the angle, shown unlit.
+       n and k: {0} -->
+  <fresnel_f82_tint name="reflectance" type="color3">
+    <input name="f0" type="color3" value="{1}" />
+    <input name="tint" type="color3" value="{2}" />
+  </fresnel_f82_tint>
+  <surface_unlit name="shader" type="surfaceshader">
+    <input name="emission_color" type="color3" nodename="reflectance" />
+  </surface_unlit>
+  <surfacematerial name="copper" type="material">
+    <input name="surfaceshader" type="surfaceshader" nodename="shader" />
+  </surfacematerial>
+</materialx>
+)",
+                       escaped(copper.page), triple(copper.f0), triple(copper.f82_tint));
+}
+
+std::string readme() {
+    std::string text = fmt::format("# Fresnel nodes for MaterialX, version {}\n", FRESNEL_VERSION);
+    text += R"(
+A data library for MaterialX 1.39: a node for every Fresnel model of `fresnel`, for numbers (`float`) and for colours
+(`color3`, whose channels share the angle), with source text in GLSL and in OSL. MaterialX's GLSL, ESSL, Vulkan, WGSL,
+MSL and Slang targets all use the GLSL text. There is none for MDL.
+
+## Use
+
+Copy `libraries/fresnel` into the `libraries` folder of MaterialX, or add the folder that holds `libraries` to
+`MATERIALX_SEARCH_PATH`. Then use the nodes as any other, as in `examples/copper.mtlx`:
+
+    <fresnel_f82_tint name="reflectance" type="color3">
+      <input name="f0" type="color3" value="0.93, 0.62, 0.52" />
+    </fresnel_f82_tint>
+
+- `fresnel_MODEL` takes `normal` and `viewdirection`, which are the shaded point's own where nothing is connected.
+  `viewdirection` points from the eye to the surface, as everywhere in MaterialX.
+- `fresnel_MODEL_cos` takes `cos_i`, the cosine of incidence, from `fresnel_cosine` or from you.
+- `fresnel_MODEL_boundary`, of the exact models, has four outputs: reflectance and transmittance of both polarisations.
+- Seen from behind, the cosine is 0. From inside a transparent medium swap `n_i` and `n_t`.
+
+Indices of colour nodes are colours, as in MaterialX's own `conductor_bsdf`. Inputs are not clamped: the ranges are those
+of the sliders, and outside them the models are not defined.
+
+## Nodes
+
+| node | inputs | what it is | equation |
+|---|---|---|---|
+)";
+    for (const model_row<double>& row : model_table<double>()) {
+        std::vector<std::string_view> names;
+        for (const parameter& p : row.parameters)
+            names.push_back(p.name);
+        std::string equation(row.equation);
+        for (std::size_t at = 0; (at = equation.find('|', at)) != std::string::npos; at += 2)
+            equation.insert(at, 1, '\\');
+        text += fmt::format("| `fresnel_{}` | {} | {} | {} |\n", row.name, fmt::join(names, ", "),
+                            row.summary, equation);
+    }
+    for (const function& f : helpers())
+        text += fmt::format("| `fresnel_{}` | {} | {} | {} |\n", f.name, f.arguments.front().name,
+                            f.comment.front(), f.comment.size() > 2 ? f.comment[2].substr(2) : "");
+    return text;
+}
+
+} // namespace
+
+std::vector<pack_file> materialx_pack() {
+    const std::vector<node> nodes = source_nodes();
+    std::vector<pack_file> files = {
+        {"materialx/README.md", readme()},
+        {"materialx/examples/copper.mtlx", example()},
+        {fmt::format("{}fresnel_defs.mtlx", root), definitions_document(nodes)},
+        {fmt::format("{}fresnel_ng.mtlx", root), graphs_document(nodes)},
+    };
+    for (const target& t : targets()) {
+        files.push_back(
+            {fmt::format("{0}{1}/fresnel_{1}_impl.mtlx", root, t.id), implementations_document(t, nodes)});
+        files.push_back({source_path(t, "lib/fresnel_boundary"), boundary_type(t.l)});
+        files.push_back({source_path(t, "mx_fresnel_cosine"), cosine_source(t)});
+        for (const function& f : helpers())
+            files.push_back({source_path(t, helper_node(f).file), helper_source(t, f)});
+        for (const model_row<double>& row : model_table<double>())
+            add_model_sources(t, row, files);
+    }
+    return files;
+}
+
+} // namespace fresnel::emit

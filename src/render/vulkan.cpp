@@ -1,0 +1,270 @@
+#include "render/compute.hpp"
+
+#include "error.hpp"
+
+#include <vulkan/vulkan.h>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdlib>
+#include <cstring>
+
+namespace fresnel::render {
+
+namespace {
+
+void check(VkResult result, std::string_view what) {
+    if (result != VK_SUCCESS)
+        throw failure(fmt::format("Vulkan: {}: error {}", what, static_cast<int>(result)));
+}
+
+/// A Vulkan object of a device, destroyed at the end of its scope.
+template <class Object>
+class owned {
+public:
+    using destroyer = void (*)(VkDevice, Object, const VkAllocationCallbacks*);
+    owned(VkDevice device, destroyer destroy) : device_(device), destroy_(destroy) {}
+    ~owned() { destroy_(device_, object, nullptr); }
+    owned(const owned&) = delete;
+    owned& operator=(const owned&) = delete;
+    operator Object() const { return object; }
+
+    Object object = VK_NULL_HANDLE;
+
+private:
+    VkDevice device_;
+    destroyer destroy_;
+};
+
+/// A storage buffer that this program can read and write.
+class buffer {
+public:
+    buffer(VkDevice device, const VkPhysicalDeviceMemoryProperties& memories, std::size_t bytes)
+        : buffer_(device, vkDestroyBuffer), memory_(device, vkFreeMemory) {
+        VkBufferCreateInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
+        info.size = bytes, info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+        check(vkCreateBuffer(device, &info, nullptr, &buffer_.object), "a buffer");
+        VkMemoryRequirements needs;
+        vkGetBufferMemoryRequirements(device, buffer_, &needs);
+        VkMemoryAllocateInfo allocation{};
+        allocation.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
+        allocation.allocationSize = needs.size;
+        allocation.memoryTypeIndex = visible(memories, needs.memoryTypeBits);
+        check(vkAllocateMemory(device, &allocation, nullptr, &memory_.object), "its memory");
+        check(vkBindBufferMemory(device, buffer_, memory_, 0), "its memory");
+        check(vkMapMemory(device, memory_, 0, VK_WHOLE_SIZE, 0, &mapped_), "its memory");
+    }
+
+    VkBuffer get() const { return buffer_; }
+    void* data() const { return mapped_; }
+
+private:
+    static std::uint32_t visible(const VkPhysicalDeviceMemoryProperties& memories, std::uint32_t allowed) {
+        constexpr VkMemoryPropertyFlags wanted =
+            VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+        for (std::uint32_t i = 0; i < memories.memoryTypeCount; ++i)
+            if ((allowed >> i & 1) != 0 && (memories.memoryTypes[i].propertyFlags & wanted) == wanted)
+                return i;
+        throw failure("Vulkan: no memory is visible from here");
+    }
+
+    owned<VkBuffer> buffer_;
+    owned<VkDeviceMemory> memory_;
+    void* mapped_ = nullptr;
+};
+
+class vulkan final : public compute_device {
+public:
+    vulkan() {
+        try {
+            open();
+        } catch (...) {
+            close();
+            throw;
+        }
+    }
+    ~vulkan() override { close(); }
+    vulkan(const vulkan&) = delete;
+    vulkan& operator=(const vulkan&) = delete;
+
+    std::string name() const override {
+        const std::uint32_t v = properties_.apiVersion;
+        return fmt::format("{}, Vulkan {}.{}.{}", properties_.deviceName, VK_API_VERSION_MAJOR(v),
+                           VK_API_VERSION_MINOR(v), VK_API_VERSION_PATCH(v));
+    }
+
+    std::vector<float> run(const std::string& shader, std::span<const float> inputs,
+                           const evaluation& how) override {
+        std::vector<float> results(how.rows * how.results);
+        const buffer in(device_, memories_, inputs.size_bytes());
+        const buffer out(device_, memories_, results.size() * sizeof(float));
+        std::memcpy(in.data(), inputs.data(), inputs.size_bytes());
+        owned<VkDescriptorSetLayout> set_layout(device_, vkDestroyDescriptorSetLayout);
+        owned<VkPipelineLayout> layout(device_, vkDestroyPipelineLayout);
+        make_layouts(set_layout, layout);
+        owned<VkShaderModule> module(device_, vkDestroyShaderModule);
+        owned<VkPipeline> pipeline(device_, vkDestroyPipeline);
+        make_pipeline(shader, layout, module, pipeline);
+        owned<VkDescriptorPool> pool(device_, vkDestroyDescriptorPool);
+        const VkDescriptorSet set = describe(pool, set_layout, in.get(), out.get());
+        submit(pipeline, layout, set, static_cast<std::uint32_t>((how.rows + 63) / 64));
+        std::memcpy(results.data(), out.data(), results.size() * sizeof(float));
+        return results;
+    }
+
+private:
+    void open() {
+        VkApplicationInfo application{};
+        application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
+        application.apiVersion = VK_API_VERSION_1_1;
+        VkInstanceCreateInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
+        info.pApplicationInfo = &application;
+        if (vkCreateInstance(&info, nullptr, &instance_) != VK_SUCCESS)
+            throw no_device("Vulkan finds no driver; mesa-vulkan-drivers has a software one");
+        choose();
+        vkGetPhysicalDeviceMemoryProperties(physical_, &memories_);
+        family_ = compute_family();
+        const float priority = 1;
+        VkDeviceQueueCreateInfo queue{};
+        queue.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
+        queue.queueFamilyIndex = family_, queue.queueCount = 1, queue.pQueuePriorities = &priority;
+        VkDeviceCreateInfo device{};
+        device.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
+        device.queueCreateInfoCount = 1, device.pQueueCreateInfos = &queue;
+        check(vkCreateDevice(physical_, &device, nullptr, &device_), "the device");
+        vkGetDeviceQueue(device_, family_, 0, &queue_);
+    }
+
+    void close() {
+        if (device_ != VK_NULL_HANDLE) vkDestroyDevice(device_, nullptr);
+        if (instance_ != VK_NULL_HANDLE) vkDestroyInstance(instance_, nullptr);
+    }
+
+    void choose() {
+        const char* asked = std::getenv("FRESNEL_VULKAN_DEVICE");
+        const std::string wanted = asked != nullptr ? asked : "llvmpipe";
+        std::uint32_t count = 0;
+        vkEnumeratePhysicalDevices(instance_, &count, nullptr);
+        std::vector<VkPhysicalDevice> all(count);
+        vkEnumeratePhysicalDevices(instance_, &count, all.data());
+        for (const VkPhysicalDevice device : all) {
+            vkGetPhysicalDeviceProperties(device, &properties_);
+            physical_ = device;
+            if (std::string_view(properties_.deviceName).find(wanted) != std::string_view::npos) return;
+        }
+        throw no_device(
+            fmt::format("Vulkan has no device called {}; mesa-vulkan-drivers has the software one", wanted));
+    }
+
+    std::uint32_t compute_family() const {
+        std::uint32_t count = 0;
+        vkGetPhysicalDeviceQueueFamilyProperties(physical_, &count, nullptr);
+        std::vector<VkQueueFamilyProperties> all(count);
+        vkGetPhysicalDeviceQueueFamilyProperties(physical_, &count, all.data());
+        for (std::uint32_t i = 0; i < count; ++i)
+            if ((all[i].queueFlags & VK_QUEUE_COMPUTE_BIT) != 0) return i;
+        throw no_device("the Vulkan device does not compute");
+    }
+
+    void make_layouts(owned<VkDescriptorSetLayout>& set, owned<VkPipelineLayout>& layout) const {
+        std::array<VkDescriptorSetLayoutBinding, 2> bindings{};
+        for (std::uint32_t i = 0; i < 2; ++i) {
+            bindings[i].binding = i, bindings[i].descriptorCount = 1;
+            bindings[i].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+            bindings[i].stageFlags = VK_SHADER_STAGE_COMPUTE_BIT;
+        }
+        VkDescriptorSetLayoutCreateInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+        info.bindingCount = 2, info.pBindings = bindings.data();
+        check(vkCreateDescriptorSetLayout(device_, &info, nullptr, &set.object), "a layout");
+        VkPipelineLayoutCreateInfo pipeline{};
+        pipeline.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
+        pipeline.setLayoutCount = 1, pipeline.pSetLayouts = &set.object;
+        check(vkCreatePipelineLayout(device_, &pipeline, nullptr, &layout.object), "a layout");
+    }
+
+    void make_pipeline(const std::string& spirv, VkPipelineLayout layout, owned<VkShaderModule>& module,
+                       owned<VkPipeline>& pipeline) const {
+        std::vector<std::uint32_t> words(spirv.size() / 4);
+        std::memcpy(words.data(), spirv.data(), words.size() * 4);
+        if (words.empty() || words[0] != 0x07230203) throw refused_shader("not SPIR-V");
+        VkShaderModuleCreateInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
+        info.codeSize = words.size() * 4, info.pCode = words.data();
+        check(vkCreateShaderModule(device_, &info, nullptr, &module.object), "a shader");
+        VkComputePipelineCreateInfo compute{};
+        compute.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
+        compute.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+        compute.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
+        compute.stage.module = module, compute.stage.pName = "main";
+        compute.layout = layout;
+        check(vkCreateComputePipelines(device_, VK_NULL_HANDLE, 1, &compute, nullptr, &pipeline.object),
+              "a pipeline");
+    }
+
+    VkDescriptorSet describe(owned<VkDescriptorPool>& pool, VkDescriptorSetLayout layout, VkBuffer in,
+                             VkBuffer out) const {
+        const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 2};
+        VkDescriptorPoolCreateInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
+        info.maxSets = 1, info.poolSizeCount = 1, info.pPoolSizes = &size;
+        check(vkCreateDescriptorPool(device_, &info, nullptr, &pool.object), "a pool");
+        VkDescriptorSetAllocateInfo allocation{};
+        allocation.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
+        allocation.descriptorPool = pool, allocation.descriptorSetCount = 1, allocation.pSetLayouts = &layout;
+        VkDescriptorSet set = VK_NULL_HANDLE;
+        check(vkAllocateDescriptorSets(device_, &allocation, &set), "a set");
+        const std::array<VkDescriptorBufferInfo, 2> buffers{
+            {{in, 0, VK_WHOLE_SIZE}, {out, 0, VK_WHOLE_SIZE}}};
+        VkWriteDescriptorSet write{};
+        write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+        write.dstSet = set, write.descriptorCount = 2, write.pBufferInfo = buffers.data();
+        write.descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+        vkUpdateDescriptorSets(device_, 1, &write, 0, nullptr);
+        return set;
+    }
+
+    void submit(VkPipeline pipeline, VkPipelineLayout layout, VkDescriptorSet set,
+                std::uint32_t groups) const {
+        owned<VkCommandPool> pool(device_, vkDestroyCommandPool);
+        VkCommandPoolCreateInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
+        info.queueFamilyIndex = family_;
+        check(vkCreateCommandPool(device_, &info, nullptr, &pool.object), "a command pool");
+        VkCommandBufferAllocateInfo allocation{};
+        allocation.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
+        allocation.commandPool = pool, allocation.commandBufferCount = 1;
+        allocation.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+        VkCommandBuffer commands = VK_NULL_HANDLE;
+        check(vkAllocateCommandBuffers(device_, &allocation, &commands), "commands");
+        VkCommandBufferBeginInfo begin{};
+        begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
+        check(vkBeginCommandBuffer(commands, &begin), "commands");
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);
+        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout, 0, 1, &set, 0, nullptr);
+        vkCmdDispatch(commands, groups, 1, 1);
+        check(vkEndCommandBuffer(commands), "commands");
+        VkSubmitInfo submission{};
+        submission.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
+        submission.commandBufferCount = 1, submission.pCommandBuffers = &commands;
+        check(vkQueueSubmit(queue_, 1, &submission, VK_NULL_HANDLE), "a dispatch");
+        check(vkQueueWaitIdle(queue_), "a dispatch");
+    }
+
+    VkInstance instance_ = VK_NULL_HANDLE;
+    VkPhysicalDevice physical_ = VK_NULL_HANDLE;
+    VkPhysicalDeviceProperties properties_{};
+    VkPhysicalDeviceMemoryProperties memories_{};
+    VkDevice device_ = VK_NULL_HANDLE;
+    VkQueue queue_ = VK_NULL_HANDLE;
+    std::uint32_t family_ = 0;
+};
+
+} // namespace
+
+std::unique_ptr<compute_device> open_vulkan() { return std::make_unique<vulkan>(); }
+
+} // namespace fresnel::render
