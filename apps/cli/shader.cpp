@@ -82,7 +82,7 @@ void check(const options& given) {
 }
 
 void note_renaming(const emit::language& l, const std::string& name) {
-    const std::string legal = emit::legal_name(l, name);
+    const std::string legal = emit::function_name(l, name);
     if (!name.empty() && legal != name)
         fmt::print(stderr, "shader: '{}' cannot be a name of ours in {}; the function is called {}\n", name,
                    l.title, legal);
@@ -131,7 +131,6 @@ void add_shader(CLI::App& app) {
         ->type_name("L");
     command->add_option("--fix", given->fixed, "a parameter that is a constant, for all channels or R,G,B")
         ->type_name("PARAM=VALUE")
-        ->expected(1)
         ->allow_extra_args(false);
     command->add_option("--material", given->material, "parameters fitted to that material, as constants")
         ->type_name("NAME");

@@ -31,6 +31,9 @@ public:
     }
 
     std::string lines() {
+        if (l_.id == "c" || l_.id == "cuda")
+            for (const argument& a : f_.arguments)
+                if (!reads(a.name)) text_ += fmt::format("    (void){};\n", argument_name(l_, f_, a.name));
         for (const std::uint32_t node : order_)
             text_ += fmt::format("    {};\n", declaration(node));
         return text_ + returned();
@@ -45,6 +48,16 @@ private:
     // Written out wherever it is used, never a variable of its own.
     bool is_transparent(std::uint32_t node) const {
         return is_mask(node) || at(node).op == operation::negate;
+    }
+
+    bool reads(std::string_view argument) const {
+        for (std::size_t i = 0; i < f_.graph.size(); ++i) {
+            const expression& x = at(static_cast<std::uint32_t>(i));
+            if (uses_[i] > 0 && x.op == operation::input &&
+                x.name.substr(0, x.name.find_first_of(".[")) == argument)
+                return true;
+        }
+        return false;
     }
 
     void count_uses() {
@@ -101,18 +114,20 @@ private:
 
         names_.assign(f_.graph.size(), {});
         for (std::uint32_t i = 0; i < f_.graph.size(); ++i)
-            if (at(i).op == operation::input) taken_.insert(names_[i] = argument_name(at(i).name));
+            if (at(i).op == operation::input) {
+                names_[i] = input_name(at(i).name);
+                taken_.insert(names_[i].substr(0, names_[i].find_first_of(".[")));
+            }
         for (const std::uint32_t node : order_)
             if (at(node).named != 0) names_[node] = unique(legal_name(l_, at(node).name));
         for (const std::uint32_t node : order_)
             if (at(node).named == 0) names_[node] = unique(found_name(node));
     }
 
-    std::string argument_name(std::string_view name) const {
-        const std::size_t end = name.find_first_of(".[");
-        std::string whole = legal_name(l_, name.substr(0, end));
-        if (whole == f_.name) whole += "_";
-        return end == std::string_view::npos ? whole : whole + std::string(name.substr(end));
+    // An argument, or a component of one.
+    std::string input_name(std::string_view name) const {
+        const std::size_t end = std::min(name.find_first_of(".["), name.size());
+        return argument_name(l_, f_, name.substr(0, end)) + std::string(name.substr(end));
     }
 
     std::string unique(const std::string& name) {
@@ -327,9 +342,8 @@ bool has_triple(const function& f) {
     return false;
 }
 
-std::string declared(const language& l, const function& f, const argument& a, const std::string& name) {
-    std::string own = legal_name(l, a.name);
-    if (own == name) own += "_";
+std::string declared(const language& l, const function& f, const argument& a) {
+    const std::string own = argument_name(l, f, a.name);
     const std::string_view type = a.width == 1 ? l.scalar : f.directions ? l.vector : l.triple;
     return l.typed_names ? fmt::format("{}: {}", own, type) : fmt::format("{} {}", type, own);
 }
@@ -368,6 +382,11 @@ std::string printed_name(const language& l, const std::string& name, int width, 
     return own;
 }
 
+std::string argument_name(const language& l, const function& f, std::string_view name) {
+    const std::string own = legal_name(l, name);
+    return own == legal_name(l, f.name) ? own + "_" : own;
+}
+
 std::string comment_block(const std::vector<std::string>& lines) {
     std::string text;
     for (const std::string& line : lines)
@@ -378,7 +397,7 @@ std::string comment_block(const std::vector<std::string>& lines) {
 std::string signature(const language& l, const function& f, const std::string& name) {
     std::vector<std::string> arguments;
     for (const argument& a : f.arguments)
-        arguments.push_back(declared(l, f, a, name));
+        arguments.push_back(declared(l, f, a));
     const std::string_view type = f.results.size() == 4 ? "fresnel_boundary"
                                   : f.width() == 1      ? l.scalar
                                   : f.directions        ? l.vector
