@@ -2,7 +2,7 @@
 from pathlib import Path
 
 from callers import statements
-from receiver import Receiver, add, need, run
+from receiver import Receiver, Skipped, add, need, pip, run
 
 STUBS = Path(__file__).parent / "stubs"
 WARNINGS = ["-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Wshadow", "-Wpedantic", "-Werror"]
@@ -59,6 +59,33 @@ class Cuda(Compiled):
     head = "__device__ "
     compilers = {"clang++-19": [["--cuda-gpu-arch=sm_61", "-x", "cuda", "-std=c++17", "-O1", "-nocudainc", "-nocudalib",
                                  "--cuda-device-only", "-S", "-fno-builtin", "-D__CUDACC__", "-Wno-pragma-once-outside-header", "-include", STUBS / "cuda_runtime.h"]]}
+
+
+@add
+class Nvcc(Compiled):
+    name, language, title, heavy, extension = "cuda-nvcc", "cuda", "CUDA", True, ".cu"
+    head = "__device__ "
+    packages = [f"nvidia-{p}" for p in ("cuda-nvcc", "nvvm", "cuda-crt", "cuda-runtime")]
+
+    def install(self):
+        place = pip("nvcc", *self.packages) / "nvidia" / "cu13"
+        self.nvcc = place / "bin/nvcc"
+        if not self.nvcc.exists():
+            raise Skipped("the packages hold no nvcc for this machine")
+        for tool in [*place.glob("bin/*"), *place.glob("nvvm/bin/*")]:
+            tool.chmod(0o755)
+
+    def version(self):
+        said = run([self.nvcc, "--version"])[1]
+        return "nvcc " + said.split(" release ")[1].split(",")[0] + " (sm_86)"
+
+    def program(self, text):
+        return super().program(text.replace("#pragma once\n", "", 1))  # it warns of that in a file that is not included
+
+    def compile_one(self, file):
+        code, said = run([self.nvcc, "-arch=sm_86", "-std=c++17", "-Werror=all-warnings", "-Wno-deprecated-gpu-targets",
+                          "-cubin", "-o", file.with_suffix(".cubin"), file])
+        return said if code else ""
 
 
 @add

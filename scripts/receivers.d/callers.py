@@ -4,10 +4,11 @@ from receiver import functions
 
 def call(language, function, one, three, direction):
     """A call with these texts as arguments: a number, an RGB value, a direction."""
-    rgb, vector = {"osl": ("color", "vector")}.get(language, (None, None))
+    # elsewhere directions and RGB values are of one type
+    is_direction = {"osl": "vector"}.get(language)
     texts = []
     for kind in function.arguments:
-        texts.append(one if kind in ("float", "f32") else direction if kind == vector else three)
+        texts.append(one if kind in ("float", "f32") else direction if kind == is_direction else three)
     return f"{function.name}({', '.join(texts)})"
 
 

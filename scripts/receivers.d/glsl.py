@@ -1,5 +1,4 @@
 """GLSL and GLSL ES: glslang's front end, and spirv-val over what it makes of them."""
-import receiver
 from callers import statements
 from receiver import Receiver, add, need, run
 

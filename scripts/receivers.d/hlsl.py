@@ -1,5 +1,4 @@
 """HLSL by glslang's front end and by slangc; Slang by slangc."""
-import receiver
 from callers import statements
 from receiver import Receiver, Skipped, add, need, pip, run
 

@@ -41,8 +41,9 @@ struct fxc {
         const std::string source = contents(j.file);
         ID3DBlob *code = nullptr, *messages = nullptr, *listing = nullptr;
         const HRESULT result =
-            compile(source.data(), source.size(), j.file.c_str(), nullptr, nullptr, j.entry.c_str(), j.profile.c_str(),
-                    D3DCOMPILE_OPTIMIZATION_LEVEL3 | D3DCOMPILE_ENABLE_STRICTNESS, 0, &code, &messages);
+            compile(source.data(), source.size(), j.file.c_str(), nullptr, nullptr, j.entry.c_str(),
+                    j.profile.c_str(), D3DCOMPILE_OPTIMIZATION_LEVEL3 | D3DCOMPILE_ENABLE_STRICTNESS, 0,
+                    &code, &messages);
         outcome o;
         if (messages) o.said.assign(static_cast<const char*>(messages->GetBufferPointer()));
         o.accepted = SUCCEEDED(result) && o.said.empty();
@@ -78,12 +79,16 @@ struct dxc_source {
     UINT encoding;
 };
 struct dxc_compiler : IUnknown {
-    virtual HRESULT STDMETHODCALLTYPE compile(const dxc_source*, const wchar_t**, UINT32, void*, REFIID, void**) = 0;
+    virtual HRESULT STDMETHODCALLTYPE compile(const dxc_source*, const wchar_t**, UINT32, void*, REFIID,
+                                              void**) = 0;
 };
 
-constexpr GUID compiler_class = {0x73e22d93, 0xe6ce, 0x47f3, {0xb5, 0xbf, 0xf0, 0x66, 0x4f, 0x39, 0xc1, 0xb0}};
-constexpr GUID compiler_interface = {0x228b4687, 0x5a6a, 0x4730, {0x90, 0x0c, 0x97, 0x02, 0xb2, 0x20, 0x3f, 0x54}};
-constexpr GUID result_interface = {0x58346cda, 0xdde7, 0x4497, {0x94, 0x61, 0x6f, 0x87, 0xaf, 0x5e, 0x06, 0x59}};
+constexpr GUID compiler_class = {
+    0x73e22d93, 0xe6ce, 0x47f3, {0xb5, 0xbf, 0xf0, 0x66, 0x4f, 0x39, 0xc1, 0xb0}};
+constexpr GUID compiler_interface = {
+    0x228b4687, 0x5a6a, 0x4730, {0x90, 0x0c, 0x97, 0x02, 0xb2, 0x20, 0x3f, 0x54}};
+constexpr GUID result_interface = {
+    0x58346cda, 0xdde7, 0x4497, {0x94, 0x61, 0x6f, 0x87, 0xaf, 0x5e, 0x06, 0x59}};
 
 struct dxc {
     explicit dxc(HMODULE library) {
@@ -103,8 +108,9 @@ struct dxc {
         for (const std::wstring& word : words)
             arguments.push_back(word.c_str());
         dxc_result* made = nullptr;
-        const HRESULT result = compiler->compile(&given, arguments.data(), static_cast<UINT32>(arguments.size()), nullptr,
-                                                 result_interface, reinterpret_cast<void**>(&made));
+        const HRESULT result =
+            compiler->compile(&given, arguments.data(), static_cast<UINT32>(arguments.size()), nullptr,
+                              result_interface, reinterpret_cast<void**>(&made));
         if (FAILED(result) || !made) return o.said = "the compiler did not run", o;
         HRESULT status = E_FAIL;
         made->status(&status);

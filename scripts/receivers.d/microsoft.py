@@ -5,7 +5,7 @@ import shutil
 from pathlib import Path
 
 from callers import statements
-from receiver import Function, Receiver, Skipped, add, apt, cache, functions, install, locked, npm, run
+from receiver import Receiver, Skipped, add, apt, cache, functions, install, locked, npm, run
 
 HERE = Path(__file__).parent
 
@@ -100,8 +100,8 @@ class Fxc(Microsoft):
 
 
 def is_size(message):
-    """Whether a function is refused for being too long for the profile only."""
-    return any(f"X{number}" in message for number in (4505, 5608, 5609, 5589, 4551, 5625, 4507, 6073, 6074))
+    """Whether a function is refused for needing more slots than the profile has, and for nothing else."""
+    return all("X5608" in line or "X5609" in line for line in message.splitlines())
 
 
 def label(function):

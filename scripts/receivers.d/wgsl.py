@@ -2,7 +2,6 @@
 import json
 from pathlib import Path
 
-import receiver
 from callers import statements
 from receiver import Receiver, add, need, npm, run
 

@@ -177,7 +177,10 @@ private:
     std::string splat(std::uint32_t node, int width) {
         const fragment x = use(node);
         if (width == 1 || at(node).width == 3 || is_mask(node)) return x.text;
-        return fmt::format("{}({})", f_.directions ? l_.vector : l_.triple, x.text);
+        const std::string_view type = f_.directions ? l_.vector : l_.triple;
+        // FXC's constructors take three numbers, its casts take one
+        if (l_.id == "hlsl") return fmt::format("({}){}", type, bracketed(x, fragment::primary));
+        return fmt::format("{}({})", type, x.text);
     }
 
     fragment function_call(std::uint32_t node) {
@@ -185,6 +188,8 @@ private:
         std::vector<std::string> arguments;
         for (std::size_t k = 0; k < arity(x.op); ++k)
             arguments.push_back(splat(x.operands[k], x.op == operation::dot_product ? 1 : x.width));
+        // FXC warns of a base that might be negative; ours are not, and abs costs nothing there
+        if (x.op == operation::power && l_.id == "hlsl") arguments[0] = call("abs", {arguments[0]});
         return {call(std::string(l_.name_of(x.op)), arguments)};
     }
 

@@ -82,7 +82,9 @@ constexpr std::string_view hlsl_words =
     "transpose trunc mix packed fixed sampler_state ConsumeStructuredBuffer RWBuffer RWByteAddressBuffer "
     "RWStructuredBuffer ConstantBuffer TextureBuffer SamplerComparisonState globallycoherent min12int "
     "int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t float16_t float32_t float64_t "
-    "spirv_asm ";
+    "spirv_asm DepthStencilState DepthStencilView GeometryShader HullShader DomainShader RenderTargetView "
+    "stateblock_state technique10 technique11 asm_fragment CompileShader FeedbackTexture2D asdouble "
+    "GetAttributeAtVertex RayQuery dst std ";
 
 constexpr std::string_view msl_words =
     " array buffer constant device fragment half half2 half3 half4 kernel metal ptr_t sampler stage_in "
@@ -128,12 +130,15 @@ constexpr std::string_view osl_words =
     "reflection refract refraction regex_match regex_search rotate round select setmessage sign sin "
     "sincos sinh smoothstep smooth_linearstep snoise spline splineinverse sqrt startswith step strlen "
     "substr surfacearea tan tanh texture texture3d trace transform transpose trunc ward warning "
-    "wavelength_color I N Ng P dPdu dPdv u v time dtime Ps Ci ";
+    "wavelength_color I N Ng P dPdu dPdv u v time dtime Ps Ci M_PI M_2_PI M_2PI M_4PI M_1_PI M_LN2 "
+    "M_LOG10E dPdtime M_PI_2 M_PI_4 M_2_SQRTPI M_E M_LN10 M_LOG2E M_SQRT2 M_SQRT1_2 aastep cellnoise "
+    "hashnoise ";
 
 constexpr std::string_view cuda_words =
     " float1 float2 float3 float4 int2 int3 int4 uint uint2 uint3 uint4 double2 double3 double4 dim3 "
     "blockIdx blockDim gridDim threadIdx warpSize clock saturate rsqrt rsqrtf norm normf norm3df rhypot "
-    "sinpi cospi fdividef make_float2 make_float4 make_int3 make_uint3 make_uchar4 char1 uchar4 ";
+    "sinpi cospi fdividef make_float2 make_float4 make_int3 make_uint3 make_uchar4 char1 uchar4 assert "
+    "cudaError_t cudaStream_t nullptr_t offsetof ptrdiff_t stdin stdout stderr va_list ";
 
 constexpr std::string_view slang_words =
     " associatedtype cbuffer enum extension func functype import in inout interface internal is let out "
