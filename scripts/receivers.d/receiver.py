@@ -40,6 +40,8 @@ def run(arguments, **options):
     try:
         done = subprocess.run([str(a) for a in arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                               stdin=subprocess.DEVNULL, text=True, errors="replace", timeout=600, **options)
+    except FileNotFoundError as missing:
+        return 127, str(missing)
     except subprocess.TimeoutExpired as late:
         return 124, f"{arguments[0]} did not end in {late.timeout} seconds"
     return done.returncode, done.stdout
@@ -96,7 +98,7 @@ def apt(*packages):
     missing = [p for p in packages if status(p) != "installed"]
     if not missing:
         return
-    if os.getuid() != 0:
+    if os.getuid() != 0 or not shutil.which("apt-get"):
         raise Skipped(f"as root: apt-get install {' '.join(missing)}")
     print(f"receivers: installing {' '.join(missing)}", file=sys.stderr, flush=True)
     with locked("apt"):
