@@ -79,7 +79,7 @@ void check(const options& given) {
 }
 
 void note_renaming(const emit::language& l, const std::string& name) {
-    const std::string legal = emit::legal_name(l, name);
+    const std::string legal = emit::function_name(l, name);
     if (!name.empty() && legal != name)
         fmt::print(stderr, "shader: '{}' cannot be a name of ours in {}; the function is called {}\n", name,
                    l.title, legal);

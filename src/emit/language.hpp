@@ -53,8 +53,14 @@ std::span<const language> languages();
 /// with the nearest one where there is none.
 const language& find_language(std::string_view id);
 
+/// The words that legal_name changes in that language.
+std::vector<std::string> reserved_words(const language& l);
+
 /// A name that the language accepts, as near to the one given as can be: reserved words and the names of built-in
 /// functions get a trailing underscore, what no identifier may hold is dropped.
 std::string legal_name(const language& l, std::string_view name);
+
+/// The same for a function that a user names: not one of the names that the text around it declares either.
+std::string function_name(const language& l, std::string_view name);
 
 } // namespace fresnel::emit

@@ -8,12 +8,10 @@ namespace {
 
 // ---- functions that call the scalar one -------------------------------------------------------------------
 
-std::vector<std::string> argument_texts(const language& l, const function& f, const std::string& name) {
+std::vector<std::string> argument_texts(const language& l, const function& f) {
     std::vector<std::string> texts;
-    for (const argument& a : f.arguments) {
-        const std::string own = legal_name(l, a.name);
-        texts.push_back(own == name ? own + "_" : own);
-    }
+    for (const argument& a : f.arguments)
+        texts.push_back(argument_name(l, f, a.name));
     return texts;
 }
 
@@ -29,7 +27,7 @@ std::string by_channel(const language& l, const function& rgb, const std::string
     const std::string name = printed_name(l, rgb.name, 3, false);
     std::vector<std::string> channels;
     for (int i = 0; i < 3; ++i) {
-        std::vector<std::string> arguments = argument_texts(l, rgb, legal_name(l, rgb.name));
+        std::vector<std::string> arguments = argument_texts(l, rgb);
         for (std::size_t k = 0; k < arguments.size(); ++k)
             if (rgb.arguments[k].width == 3) arguments[k] = component(l, arguments[k], i);
         channels.push_back(call(scalar_name, arguments));
@@ -41,7 +39,7 @@ std::string by_channel(const language& l, const function& rgb, const std::string
 std::string by_directions(const language& l, const function& f) {
     const std::string base = legal_name(l, f.name);
     const std::string inner = printed_name(l, f.name, f.width(), false);
-    std::vector<std::string> arguments = argument_texts(l, f, base);
+    std::vector<std::string> arguments = argument_texts(l, f);
     arguments.back() = call("incidence_cosine", {legal_name(l, "normal"), "direction"});
     function outer = f;
     outer.arguments.pop_back();
@@ -75,8 +73,8 @@ bool has_rgb_argument(const function& f) {
     return false;
 }
 
-function named(function f, const model_request& wanted) {
-    if (!wanted.name.empty()) f.name = wanted.name;
+function named(const language& l, function f, const model_request& wanted) {
+    if (!wanted.name.empty()) f.name = function_name(l, wanted.name);
     for (std::string& line : f.comment)
         if (line.starts_with("error ") && !wanted.error.empty()) line = "error   " + wanted.error;
     if (!wanted.about.empty()) f.comment.push_back("data    " + wanted.about);
@@ -96,7 +94,7 @@ std::string rgb_alone(const language& l, const function& rgb, const style& how) 
 std::string rgb_text(const language& l, const model_request& wanted, const style& how) {
     const std::string text = channels_text(l, wanted, how);
     if (text.empty()) return {};
-    const function rgb = named(record(wanted.model, {3, false, wanted.fixed}), wanted);
+    const function rgb = named(l, record(wanted.model, {3, false, wanted.fixed}), wanted);
     return "\n" + text + "\n" + by_directions(l, rgb);
 }
 
@@ -188,11 +186,11 @@ std::string postamble(const language& l) {
 }
 
 std::string scalar_text(const language& l, const model_request& wanted, const style& how) {
-    return wrapped_lines(print(l, named(record(wanted.model, {1, false, wanted.fixed}), wanted), how));
+    return wrapped_lines(print(l, named(l, record(wanted.model, {1, false, wanted.fixed}), wanted), how));
 }
 
 std::string boundary_text(const language& l, const model_request& wanted, const style& how) {
-    function f = named(record(wanted.model, {1, true, wanted.fixed}), wanted);
+    function f = named(l, record(wanted.model, {1, true, wanted.fixed}), wanted);
     f.name += "_boundary";
     f.comment.front() = "Reflectances and transmittances of both polarisations.";
     f.comment.resize(1);
@@ -200,7 +198,7 @@ std::string boundary_text(const language& l, const model_request& wanted, const 
 }
 
 std::string channels_text(const language& l, const model_request& wanted, const style& how) {
-    function rgb = named(record(wanted.model, {3, false, wanted.fixed}), wanted);
+    function rgb = named(l, record(wanted.model, {3, false, wanted.fixed}), wanted);
     if (!has_rgb_argument(rgb)) return {};
     rgb.comment = {"The same for three channels, which share the angle."};
     return wrapped_lines(rgb_alone(l, rgb, how));
@@ -209,7 +207,7 @@ std::string channels_text(const language& l, const model_request& wanted, const 
 namespace {
 
 std::string unwrapped_model_text(const language& l, const model_request& wanted, const style& how) {
-    const function scalar = named(record(wanted.model, {1, false, wanted.fixed}), wanted);
+    const function scalar = named(l, record(wanted.model, {1, false, wanted.fixed}), wanted);
     std::string text;
     if (scalar.width() == 1) {
         text = print(l, scalar, how) + "\n" + by_directions(l, scalar) + rgb_text(l, wanted, how);
@@ -230,8 +228,8 @@ std::string model_text(const language& l, const model_request& wanted, const sty
 }
 
 sole_function sole_text(const language& l, const model_request& wanted, int width) {
-    const function scalar = named(record(wanted.model, {1, false, wanted.fixed}), wanted);
-    function rgb = named(record(wanted.model, {3, false, wanted.fixed}), wanted);
+    const function scalar = named(l, record(wanted.model, {1, false, wanted.fixed}), wanted);
+    function rgb = named(l, record(wanted.model, {3, false, wanted.fixed}), wanted);
     const bool three = width == 3 && scalar.width() == 1 && has_rgb_argument(rgb);
     const function& f = three ? rgb : scalar;
     sole_function sole{{}, printed_name(l, f.name, f.width(), false), f.arguments, f.width()};

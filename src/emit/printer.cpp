@@ -32,6 +32,9 @@ public:
     }
 
     std::string lines() {
+        if (l_.id == "c" || l_.id == "cuda")
+            for (const argument& a : f_.arguments)
+                if (!reads(a.name)) text_ += fmt::format("    (void){};\n", argument_name(l_, f_, a.name));
         for (const std::uint32_t node : order_) {
             const std::string& remark = at(node).remark;
             text_ += fmt::format("    {};{}{}\n", declaration(node), remark.empty() ? "" : " // ", remark);
@@ -48,6 +51,16 @@ private:
     // Written out wherever it is used, never a variable of its own.
     bool is_transparent(std::uint32_t node) const {
         return is_mask(node) || at(node).op == operation::negate;
+    }
+
+    bool reads(std::string_view argument) const {
+        for (std::size_t i = 0; i < f_.graph.size(); ++i) {
+            const expression& x = at(static_cast<std::uint32_t>(i));
+            if (uses_[i] > 0 && x.op == operation::input &&
+                x.name.substr(0, x.name.find_first_of(".[")) == argument)
+                return true;
+        }
+        return false;
     }
 
     void count_uses() {
@@ -105,18 +118,20 @@ private:
 
         names_.assign(f_.graph.size(), {});
         for (std::uint32_t i = 0; i < f_.graph.size(); ++i)
-            if (at(i).op == operation::input) taken_.insert(names_[i] = argument_name(at(i).name));
+            if (at(i).op == operation::input) {
+                names_[i] = input_name(at(i).name);
+                taken_.insert(names_[i].substr(0, names_[i].find_first_of(".[")));
+            }
         for (const std::uint32_t node : order_)
             if (at(node).named != 0) names_[node] = unique(legal_name(l_, at(node).name));
         for (const std::uint32_t node : order_)
             if (at(node).named == 0) names_[node] = unique(found_name(node));
     }
 
-    std::string argument_name(std::string_view name) const {
-        const std::size_t end = name.find_first_of(".[");
-        std::string whole = legal_name(l_, name.substr(0, end));
-        if (whole == f_.name) whole += "_";
-        return end == std::string_view::npos ? whole : whole + std::string(name.substr(end));
+    // An argument, or a component of one.
+    std::string input_name(std::string_view name) const {
+        const std::size_t end = std::min(name.find_first_of(".["), name.size());
+        return argument_name(l_, f_, name.substr(0, end)) + std::string(name.substr(end));
     }
 
     std::string unique(const std::string& name) {
@@ -182,9 +197,10 @@ private:
     std::string splat(std::uint32_t node, int width) {
         const fragment x = use(node);
         if (width == 1 || at(node).width == 3 || is_mask(node)) return x.text;
-        // FXC has no float3 of one number, only a cast
-        if (l_.id == "hlsl") return fmt::format("({}){}", l_.triple, bracketed(x, fragment::primary));
-        return fmt::format("{}({})", f_.directions ? l_.vector : l_.triple, x.text);
+        const std::string_view type = f_.directions ? l_.vector : l_.triple;
+        // FXC's constructors take three numbers, its casts take one
+        if (l_.id == "hlsl") return fmt::format("({}){}", type, bracketed(x, fragment::primary));
+        return fmt::format("{}({})", type, x.text);
     }
 
     fragment function_call(std::uint32_t node) {
@@ -192,6 +208,8 @@ private:
         std::vector<std::string> arguments;
         for (std::size_t k = 0; k < arity(x.op); ++k)
             arguments.push_back(splat(x.operands[k], x.op == operation::dot_product ? 1 : x.width));
+        // FXC warns of a base that might be negative; ours are not, and abs costs nothing there
+        if (x.op == operation::power && l_.id == "hlsl") arguments[0] = call("abs", {arguments[0]});
         return {call(std::string(l_.name_of(x.op)), arguments)};
     }
 
@@ -380,8 +398,7 @@ std::string wrapped(std::string line) {
 }
 
 std::string declared(const language& l, const function& f, const argument& a) {
-    std::string own = legal_name(l, a.name);
-    if (own == legal_name(l, f.name)) own += "_";
+    const std::string own = argument_name(l, f, a.name);
     const std::string_view type = a.width == 1 ? l.scalar : f.directions ? l.vector : l.triple;
     return l.typed_names ? fmt::format("{}: {}", own, type) : fmt::format("{} {}", type, own);
 }
@@ -418,6 +435,11 @@ std::string printed_name(const language& l, const std::string& name, int width, 
     if (width == 3) own += "_rgb";
     if (directions) own += "_dir";
     return own;
+}
+
+std::string argument_name(const language& l, const function& f, std::string_view name) {
+    const std::string own = legal_name(l, name);
+    return own == legal_name(l, f.name) ? own + "_" : own;
 }
 
 std::string comment_block(const std::vector<std::string>& lines) {

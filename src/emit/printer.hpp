@@ -30,6 +30,9 @@ std::string call(const std::string& name, const std::vector<std::string>& argume
 /// cannot be shared.
 std::string printed_name(const language& l, const std::string& name, int width, bool directions);
 
+/// The name of one of its arguments in the text: its own, made legal, and never the function's.
+std::string argument_name(const language& l, const function& f, std::string_view name);
+
 /// How component i of a triple is written.
 std::string component(const language& l, std::string_view name, int i);
 

@@ -1,0 +1,27 @@
+"""The calls of every function of a text, as statements that add what they return to harness_sum."""
+from receiver import functions
+
+
+def call(language, function, one, three, direction):
+    """A call with these texts as arguments: a number, an RGB value, a direction."""
+    # elsewhere directions and RGB values are of one type
+    is_direction = {"osl": "vector"}.get(language)
+    texts = []
+    for kind in function.arguments:
+        texts.append(one if kind in ("float", "f32") else direction if kind == is_direction else three)
+    return f"{function.name}({', '.join(texts)})"
+
+
+def statements(language, text, one="harness_one", three="harness_three", direction="harness_direction"):
+    declare = {"wgsl": "let {name} = {value};"}.get(language, "{type} {name} = {value};")
+    component = "{name}[0]" if language == "osl" else "{name}.x"
+    lines = []
+    for i, function in enumerate(functions(language, text)):
+        name = f"harness_{i}"
+        lines.append("    " + declare.format(type=function.result, name=name,
+                                             value=call(language, function, one, three, direction)))
+        value = (name if function.result in ("float", "f32")
+                 else f"{name}.R_s + {name}.R_p + {name}.T_s + {name}.T_p" if function.result.endswith("fresnel_boundary")
+                 else component.format(name=name))
+        lines.append(f"    harness_sum {'= harness_sum +' if language == 'wgsl' else '+='} {value};")
+    return "\n".join(lines)
