@@ -122,6 +122,7 @@ void check_folder(const std::string& folder) {
 }
 
 void run(const options& given) {
+    if (given.verify.wanted) return run_verify(given.verify, given.models);
     if (!given.write.empty()) {
         emit::write_packs(given.write);
         fmt::print("{}\n", given.write);
@@ -154,7 +155,7 @@ void add_shader(CLI::App& app) {
                     "  fresnel shader schlick --technique per-pixel --lang glsl --stage fragment\n"
                     "  fresnel shader --write shaders              every library and engine pack\n"
                     "  fresnel shader --check shaders              whether they are what --write makes\n"
-                    "  fresnel shader --verify schlick conductor");
+                    "  fresnel shader --verify schlick conductor   the text against the model, bit by bit");
     const auto given = std::make_shared<options>();
     command->add_option("MODEL", given->models, "registry names");
     command

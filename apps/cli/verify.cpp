@@ -22,14 +22,17 @@ nlohmann::json described(const verify_result& r) {
                           {"name", r.what.name},
                           {"kind", emit::to_string(r.what.kind)},
                           {"receiver", r.receiver},
-                          {"inputs", r.found.rows + r.found.nan_rows},
+                          {"inputs", r.found.rows + r.found.open_rows},
                           {"compared", r.found.rows},
                           {"differing", r.found.differing},
                           {"max_difference", r.found.max_difference},
                           {"max_ulp", r.found.max_ulp},
                           {"allowed", r.allowed},
-                          {"nan_inputs", r.found.nan_rows},
-                          {"nan_differing", r.found.nan_differing},
+                          {"open_inputs", r.found.open_rows},
+                          {"open_differing", r.found.open_differing},
+                          {"at", r.found.inputs},
+                          {"expected", r.found.expected},
+                          {"got", r.found.got},
                           {"passed", r.passed()}};
     return one;
 }
@@ -38,18 +41,20 @@ void print_table(const conform::verification& all) {
     for (const std::string& receiver : all.receivers)
         fmt::print("{}\n", receiver);
     fmt::print("\n{:<34} {:<13} {:>8} {:>9} {:>9} {:>8} {:>8} {:>8} {:>9}  {}\n", "function", "receiver",
-               "inputs", "differing", "largest", "ulp", "allowed", "NaN", "differing", "");
+               "inputs", "differing", "largest", "ulp", "allowed", "open", "differing", "");
     for (const verify_result& r : all.results)
         fmt::print("{:<34} {:<13} {:>8} {:>9} {:>9.2g} {:>8} {:>8.2g} {:>8} {:>9}  {}\n", r.what.id,
                    r.receiver, r.found.rows, r.found.differing, r.found.max_difference, r.found.max_ulp,
-                   r.allowed, r.found.nan_rows, r.found.nan_differing, r.passed() ? "" : "FAILS");
+                   r.allowed, r.found.open_rows, r.found.open_differing,
+                   r.passed() ? ""
+                              : fmt::format("FAILS at ({}): {}, must be {}", fmt::join(r.found.inputs, ", "),
+                                            fmt::join(r.found.got, ", "), fmt::join(r.found.expected, ", ")));
     for (const conform::skipped_receiver& s : all.skipped)
         fmt::print("skipped: {}: {}\n", s.receiver, s.reason);
     fmt::print(
-        "\nInputs in whose evaluation something is NaN are counted apart: what min, max, clamp and "
-        "comparisons "
-        "make of a NaN is left\nopen by every shading language. Inputs that meet a subnormal number are left "
-        "out.\n");
+        "\nOpen: something is NaN on the way, of which languages say nothing in min, max, clamp and "
+        "comparisons, or "
+        "pow is outside its\ndomain; counted apart. Inputs that meet a subnormal number are left out.\n");
 }
 
 void print(const verify_options& given, const conform::verification& all) {
@@ -75,20 +80,26 @@ void check(const verify_options& given) {
 } // namespace
 
 void add_verify_options(CLI::App& command, verify_options& given) {
-    command.add_flag(
+    CLI::Option* const verify = command.add_flag(
         "--verify", given.wanted,
         "run the text on graphics devices and by C compilers here, compare bit by bit with the model");
-    command.add_flag("--json", given.json, "with --verify: JSON");
+    for (const char* other :
+         {"--lang", "--fix", "--material", "--name", "--out", "--all", "--write", "--check", "--technique"})
+        verify->excludes(command.get_option(other));
+    command.add_flag("--json", given.json, "with --verify: JSON")->needs(verify);
     command
-        .add_option("--rows", given.rows, "with --verify: inputs of each function (default 262144, or 65536)")
+        .add_option("--rows", given.rows, "with --verify: inputs of each function (default 270336, or 65536)")
         ->type_name("N")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::PositiveNumber)
+        ->needs(verify);
     command
         .add_option("--dump", given.dump,
                     "with --verify: write inputs, expected values and texts for other runners")
-        ->type_name("DIR");
+        ->type_name("DIR")
+        ->needs(verify);
     command.add_option("--compare", given.compare, "with --verify: compare what another runner wrote there")
-        ->type_name("DIR");
+        ->type_name("DIR")
+        ->needs(verify);
 }
 
 void run_verify(const verify_options& given, const std::vector<std::string>& models) {

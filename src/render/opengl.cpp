@@ -1,6 +1,7 @@
 #include "render/compute.hpp"
 
 #include "error.hpp"
+#include "render/unwatched.hpp"
 
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
@@ -74,6 +75,7 @@ public:
 
     std::vector<float> run(const std::string& shader, std::span<const float> inputs,
                            const evaluation& how) override {
+        const unwatched driver;
         eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_);
         const handle program = link(shader);
         const handle in(new_buffer(), delete_buffer), out(new_buffer(), delete_buffer);
@@ -131,6 +133,9 @@ private:
 
 } // namespace
 
-std::unique_ptr<compute_device> open_opengl() { return std::make_unique<opengl>(); }
+std::unique_ptr<compute_device> open_opengl() {
+    const unwatched driver;
+    return std::make_unique<opengl>();
+}
 
 } // namespace fresnel::render

@@ -1,6 +1,7 @@
 #include "render/compute.hpp"
 
 #include "error.hpp"
+#include "render/unwatched.hpp"
 
 #include <vulkan/vulkan.h>
 
@@ -97,6 +98,7 @@ public:
 
     std::vector<float> run(const std::string& shader, std::span<const float> inputs,
                            const evaluation& how) override {
+        const unwatched driver;
         std::vector<float> results(how.rows * how.results);
         const buffer in(device_, memories_, inputs.size_bytes());
         const buffer out(device_, memories_, results.size() * sizeof(float));
@@ -265,6 +267,9 @@ private:
 
 } // namespace
 
-std::unique_ptr<compute_device> open_vulkan() { return std::make_unique<vulkan>(); }
+std::unique_ptr<compute_device> open_vulkan() {
+    const unwatched driver;
+    return std::make_unique<vulkan>();
+}
 
 } // namespace fresnel::render
