@@ -55,6 +55,7 @@ void build(CLI::App& app) {
     add_identify(app);
     add_plot(app);
     add_shader(app);
+    add_lut(app);
 }
 
 // A misspelt command is told apart from a misspelt option, so that the nearest command can be named.

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <array>
 #include <map>
 #include <string>
 #include <string_view>
@@ -17,5 +18,8 @@ void add_parameters(CLI::App& command, parameter_texts& given);
 
 /// "A", "A,B,C" or "FROM:TO:COUNT", both ends included. Throws bad_input naming the argument.
 std::vector<double> parse_list(std::string_view argument, std::string_view text);
+
+/// A constant of --fix, "f0=0.04", or "f0=1,0.78,0.34" for a value per channel, put among the others. Throws bad_input.
+void add_fixed(const std::string& text, std::map<std::string, std::array<float, 3>>& fixed);
 
 } // namespace fresnel::cli

@@ -1,5 +1,6 @@
 #include "colour_options.hpp"
 #include "commands.hpp"
+#include "figure_files.hpp"
 #include "parameter_options.hpp"
 
 #include "analysis/drawing.hpp"
@@ -10,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <unistd.h>
 
 namespace fresnel::cli {
 
@@ -95,27 +95,6 @@ plot_request request_of(const options& given) {
 
 // ---- the files ----------------------------------------------------------------------------------------------
 
-using writer = std::string (*)(const figure&);
-
-// What turns a figure into a file of that ending.
-writer writer_of(const std::string& path) {
-    const std::string ending = std::filesystem::path(path).extension().string();
-    if (ending == ".svg") return [](const figure& f) { return drawn(f, format::svg); };
-    if (ending == ".png") return [](const figure& f) { return drawn(f, format::png); };
-    if (ending == ".pdf") return [](const figure& f) { return drawn(f, format::pdf); };
-    if (ending == ".csv") return [](const figure& f) { return to_csv(f); };
-    if (ending == ".json") return [](const figure& f) { return to_json(f).dump(2) + "\n"; };
-    throw bad_input(fmt::format("--out '{}': must end in .svg, .png, .pdf, .csv or .json", path));
-}
-
-void require_writable(const std::string& path) {
-    if (std::filesystem::is_directory(path))
-        throw bad_input(fmt::format("--out '{}': is a folder; give a file", path));
-    const std::filesystem::path parent = std::filesystem::path(path).parent_path();
-    if (access(parent.empty() ? "." : parent.c_str(), W_OK | X_OK) != 0)
-        throw bad_input(fmt::format("--out '{}': cannot be written; give a file in a folder that can", path));
-}
-
 // The legend stands beside the panel and holds so many entries.
 void require_room(const figure& what, const std::string& path) {
     constexpr std::ptrdiff_t most = 13;
@@ -136,14 +115,14 @@ void write_all(const figure& what, const std::vector<std::string>& paths) {
     for (const std::string& path : paths)
         require_room(what, path);
     for (const std::string& path : paths)
-        contents.push_back(writer_of(path)(what));
+        contents.push_back(writer_of("--out", path)(what));
     for (std::size_t i = 0; i < paths.size(); ++i)
         write_file(paths[i], contents[i]);
 }
 
 void run(const options& given) {
     for (const std::string& path : given.out)
-        writer_of(path), require_writable(path);
+        writer_of("--out", path), require_writable("--out", path);
     const figure result = make_plot(request_of(given));
     write_all(result, given.out);
     if (given.json) return print_json(to_json(result));

@@ -1,10 +1,12 @@
 #include "colour_options.hpp"
 #include "commands.hpp"
+#include "parameter_options.hpp"
 #include "verify_options.hpp"
 
 #include "analysis/compare.hpp"
 #include "emit/library.hpp"
 #include "emit/pack.hpp"
+#include "emit/technique.hpp"
 #include "error.hpp"
 #include "figure/figure.hpp"
 #include "materials/catalog.hpp"
@@ -19,30 +21,11 @@ struct options {
     std::vector<std::string> models;
     std::string language = "glsl";
     std::vector<std::string> fixed;
-    std::string material, name, out, write, check;
+    std::string material, name, technique, stage, out, write, check;
     colour_options colour;
     bool all = false;
     verify_options verify;
 };
-
-// "f0=0.04", or "f0=1,0.78,0.34" for a value per channel
-void add_fixed(const std::string& text, std::map<std::string, std::array<float, 3>>& fixed) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0)
-        throw bad_input(fmt::format("--fix '{}': must be PARAMETER=VALUE or PARAMETER=R,G,B", text));
-    const std::string name = text.substr(0, equals);
-    std::vector<float> values;
-    for (std::size_t from = equals + 1; from <= text.size();) {
-        const std::size_t comma = std::min(text.find(',', from), text.size());
-        values.push_back(static_cast<float>(
-            parse_number(fmt::format("--fix {}", name), std::string_view(text).substr(from, comma - from))));
-        from = comma + 1;
-    }
-    if (values.size() != 1 && values.size() != 3)
-        throw bad_input(fmt::format("--fix '{}': has {} values, must have 1 or 3", text, values.size()));
-    fixed[name] = values.size() == 1 ? std::array{values[0], values[0], values[0]}
-                                     : std::array{values[0], values[1], values[2]};
-}
 
 void add_material(const options& given, const std::string& model, emit::model_request& request) {
     if (find_model<double>(model).kind == model_kind::exact)
@@ -78,6 +61,7 @@ std::string made_by(const options& given) {
         line += " --fix " + fixed;
     if (!given.material.empty()) line += " --material " + given.material;
     if (!given.name.empty()) line += " --name " + given.name;
+    if (!given.technique.empty()) line += " --technique " + given.technique;
     return line;
 }
 
@@ -87,6 +71,11 @@ void check(const options& given) {
     if (!given.name.empty() && given.models.size() != 1)
         throw bad_input(fmt::format("--name '{}': names one function, but {} models are given", given.name,
                                     given.models.size()));
+    if (!given.technique.empty() && given.models.size() != 1)
+        throw bad_input(fmt::format("--technique '{}': needs one MODEL, {} are given", given.technique,
+                                    given.models.size()));
+    if (!given.stage.empty() && given.technique.empty())
+        throw bad_input(fmt::format("--stage '{}': is part of a --technique", given.stage));
 }
 
 void note_renaming(const emit::language& l, const std::string& name) {
@@ -96,17 +85,29 @@ void note_renaming(const emit::language& l, const std::string& name) {
                    l.title, legal);
 }
 
+emit::model_request request_of(const options& given, const std::string& model) {
+    emit::model_request request{model, {}, given.name};
+    for (const std::string& fixed : given.fixed)
+        add_fixed(fixed, request.fixed);
+    if (!given.material.empty()) add_material(given, model, request);
+    return request;
+}
+
+std::string program_of(const options& given) {
+    const emit::technique& how = emit::find_technique(given.technique);
+    const emit::stage stages = emit::find_stage(given.stage);
+    const emit::dialect& d = emit::find_dialect(given.language);
+    note_renaming(d.own(), given.name);
+    return emit::technique_text(d, how, request_of(given, given.models.front()), stages, made_by(given));
+}
+
 std::string text_of(const options& given) {
+    if (!given.technique.empty()) return program_of(given);
     const emit::language& l = emit::find_language(given.language);
     if (given.all) return emit::library_text(l);
     std::string text = emit::preamble(l, made_by(given));
-    for (const std::string& model : given.models) {
-        emit::model_request request{model, {}, given.name};
-        for (const std::string& fixed : given.fixed)
-            add_fixed(fixed, request.fixed);
-        if (!given.material.empty()) add_material(given, model, request);
-        text += "\n" + emit::model_text(l, request);
-    }
+    for (const std::string& model : given.models)
+        text += "\n" + emit::model_text(l, request_of(given, model));
     note_renaming(l, given.name);
     return text + emit::postamble(l);
 }
@@ -150,22 +151,31 @@ void add_shader(CLI::App& app) {
                     "  fresnel shader conductor --lang wgsl --fix n_i=1.333\n"
                     "  fresnel shader gulbrandsen --material gold --space acescg --name gold\n"
                     "  fresnel shader --all --lang glsl --out fresnel.glsl\n"
+                    "  fresnel shader schlick --technique per-pixel --lang glsl --stage fragment\n"
                     "  fresnel shader --write shaders              every library and engine pack\n"
                     "  fresnel shader --check shaders              whether they are what --write makes\n"
                     "  fresnel shader --verify schlick conductor");
     const auto given = std::make_shared<options>();
     command->add_option("MODEL", given->models, "registry names");
     command
-        ->add_option("--lang", given->language,
-                     "glsl, essl, hlsl, msl, wgsl, osl, cuda, c or slang (default glsl)")
+        ->add_option(
+            "--lang", given->language,
+            "glsl, essl, hlsl, msl, wgsl, osl, cuda, c or slang (default glsl); cg is hlsl, and with "
+            "--technique that of shader models 2 and 3")
         ->type_name("L");
     command->add_option("--fix", given->fixed, "a parameter that is a constant, for all channels or R,G,B")
         ->type_name("PARAM=VALUE")
-        ->expected(1)
         ->allow_extra_args(false);
     command->add_option("--material", given->material, "parameters fitted to that material, as constants")
         ->type_name("NAME");
     command->add_option("--name", given->name, "name of the function")->type_name("N");
+    command
+        ->add_option("--technique", given->technique,
+                     "a complete vertex and fragment program of one MODEL: none, one-minus-cos, per-vertex, "
+                     "per-pixel, lut, highlights or semitransparent")
+        ->type_name("T");
+    command->add_option("--stage", given->stage, "of a program that stage alone: vertex or fragment")
+        ->type_name("S");
     command->add_option("--out", given->out, "write this file")->type_name("FILE");
     command->add_flag("--all", given->all, "every model and the geometry around them");
     command->add_option("--write", given->write, "write every generated file under this folder")

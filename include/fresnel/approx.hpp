@@ -141,7 +141,7 @@ T powers_3_9(T f0, T cos_i) {
     const T a = powers_3_9_weight(f0);
     const T m = let("m", 1 - cos_i);
     const T m3 = let("m3", m * m * m);
-    return min(f0 + m3 * ((a - f0) + (1 - a) * (m3 * m3)), T(1));
+    return saturate(f0 + m3 * ((a - f0) + (1 - a) * (m3 * m3))); // a saturate is free on a graphics processor
 }
 
 /// Coefficients of three powers of 1 - cos_i, the lowest first.

@@ -31,11 +31,19 @@ struct boundary {
     constexpr T transmittance() const { return (T_s + T_p) / 2; }
 };
 
-/// A denominator below this is taken for 0: 2^-120 in float32, 2^-480 in wider types.
+/// A denominator below this is taken for 0: 2^-126 in float32, the smallest normal number, 2^-504 in wider types.
 template <class T>
 T negligible() {
-    const T x = square(ratio<T, 1, 1 << 20>()); // 2^-40
+    const T x = square(ratio<T, 1, 1 << 21>()); // 2^-42
     return std::numeric_limits<T>::digits > 24 ? square(square(x * x * x)) : x * x * x;
+}
+
+/// A squared length below this is taken for it, so that a scale is never 0: 2^-50 in float32, 2^-500 in wider types.
+/// In units of 1 / n_i the smallest difference of two float32 squares is 2^-47.
+template <class T>
+T least_square() {
+    const T x = square(ratio<T, 1, 1 << 20>()) * ratio<T, 1, 1 << 10>(); // 2^-50
+    return std::numeric_limits<T>::digits > 24 ? square(x * square(square(x))) : x;
 }
 
 /// Exact reflectance and transmittance between two transparent media.
@@ -57,28 +65,29 @@ T negligible() {
 template <class T>
 boundary<T> dielectric(T n_i, T n_t, T cos_i) {
     const T c = let("c", n_i * cos_i);
-    const T s2 = let("s2", n_i * ((1 - cos_i) * (1 + cos_i)));
-    const T E = let("E", (n_t - n_i) * (n_t + n_i)); // eta^2 - 1
+    const T s2 = let("s2", n_i * (1 - cos_i * cos_i));
+    const T E = let("E", (n_t - n_i) * (n_t + n_i), "eta^2 - 1");
 
-    // Snell: g = eta cos_t, 0 under total internal reflection
-    const T g2 = let("g2", E + c * c);
-    const T g = let("g", select(g2 <= 0, T(0), sqrt(select(g2 <= 0, T(1), g2))));
+    // Snell
+    const T g2 = let("g2", E + c * c, "below 0 under total internal reflection");
+    const T g = let("g", sqrt(max(g2, negligible<T>())), "eta cos_t; so little there that R is 1");
 
     const T E2 = let("E2", E * E);
-    const T w = let("w", 4 * (c * g));
-    const T a2 = let("a2", square(g + c));
-    const T D_s =
-        let("D_s", max(E2 + w * a2, negligible<T>())); // below it only for equal media at grazing incidence
+    const T cg = let("cg", c * g);
+    const T a = let("a", 2 * (g + c));
+    const T a2 = let("a2", a * a);
+    const T D_s = let("D_s", max(E2 + cg * a2, negligible<T>()), "0 only for equal media at cos_i = 0");
     const T R_s = let("R_s", E2 / D_s);
 
     const T x = let("x", cos_i * g);
-    const T b = let("b", x + s2); // 0 only where g rounds to 0, at normal incidence
-    const T D_p = let("D_p", select(b <= 0, T(1), b));
-    const T q = let("q", select(b <= 0, T(1), (x - s2) / D_p));
+    const T b = let("b", x + s2);
+    const T q = let("q", (x - s2) / b);
     const T R_p = let("R_p", R_s * (q * q));
 
-    const T T_s = let("T_s", select(E2 <= 0, 1 - R_s, w * (a2 / D_s)));
-    const T T_p = let("T_p", T_s + R_s * (4 * (x * s2) / (D_p * D_p)));
+    const T through_s = let("through_s", select(g2 <= 0, T(0), cg * (a2 / D_s)));
+    const T through_p = let("through_p", select(g2 <= 0, T(0), 4 * (x * s2) / (b * b)));
+    const T T_s = let("T_s", select(E2 <= 0, 1 - R_s, through_s));
+    const T T_p = let("T_p", T_s + R_s * through_p);
     return {R_s, R_p, min(T_s, T(1)), min(T_p, T(1))};
 }
 
@@ -161,45 +170,45 @@ normal_wave<T> refract_complex(T n_i, T n_t, T k_t, T cos_i) {
 /// error   relative 8 epsilon in R and 4 in T, times 1 + |m^2 - 1| / |m^2 - s^2|: in float32 2e-6 for metals
 ///         and for eta > 1, and up to 6e-2 at the critical angle of eta >= 0.1 (k_t = 0 only)
 /// source  Born and Wolf 1999, "Principles of Optics", 7th ed., sec. 14.2. With q = a + i b, |q + c|^4 = F + W
-///         and |q c + s^2|^4 = B + V, so that nothing cancels. Of a and b the larger is u, the other n k / u;
-///         lengths are in units of 1 / n_i, and F, W, B, V are multiplied by u^2, which saves those divisions
+///         and |q c + s^2|^4 = B + V, so that nothing cancels; Re(m^2 c^2 - s^2) is Re q^2 c^2 - s^4. Of a and b
+///         the larger is u, the other n k / u; lengths are in units of 1 / n_i, and F, W, B, V are multiplied by
+///         S = 2 u^2, which saves those divisions
 template <class T>
 boundary<T> conductor(T n_i, T n_t, T k_t, T cos_i) {
     const T c = let("c", n_i * cos_i);
     const T c2 = let("c2", c * c);
     const T cos2 = let("cos2", cos_i * cos_i);
-    const T sin2 = let("sin2", (1 - cos_i) * (1 + cos_i));
+    const T sin2 = let("sin2", 1 - cos2);
     const T s2 = let("s2", n_i * sin2);
+    const T s4 = let("s4", s2 * s2);
 
     // Snell
-    const T k2 = let("k2", k_t * k_t);
-    const T E = let("E", (n_t - n_i) * (n_t + n_i) - k2); // Re m^2 - 1
-    const T Z = let("Z", 2 * (n_t * k_t));                // Im m^2
+    const T E = let("E", (n_t - n_i) * (n_t + n_i) - k_t * k_t, "Re m^2 - 1");
+    const T Z = let("Z", 2 * (n_t * k_t), "Im m^2");
     const T Z2 = let("Z2", Z * Z);
-    const T t0 = let("t0", E + c2);
-    const T A = let("A", sqrt(t0 * t0 + Z2));
-    const T S = let("S", A + abs(t0));
-    const T v2 = let("v2", S / 2);
-    const T u2 = let("u2", select(v2 <= negligible<T>(), c2, v2)); // at the critical angle any will do
-    const T u = let("u", sqrt(u2));
-    const T a = let("a", select(t0 < 0, Z, S)); // 2 u a
+    const T t0 = let("t0", E + c2, "q^2 = t0 + i Z");
+    const T A = let("A", sqrt(t0 * t0 + Z2), "|q|^2");
+    const T S = let("S", max(A + abs(t0), least_square<T>()), "0 only at the critical angle");
+    const T u = let("u", sqrt(2 * S), "twice the larger of Re q and Im q");
+    const T a = let("a", select(t0 < 0, Z, S), "u Re q");
 
-    const T ac = let("ac", a * c);
-    const T F = let("F", (E * E + Z2) * u2);
-    const T G_s = let("G_s", (A + c2) * u + ac);
-    const T D_s = let(
-        "D_s", max(F + 2 * ac * G_s, negligible<T>())); // below it only for equal media at grazing incidence
+    const T h = let("h", 2 * (a * c));
+    const T F = let("F", (E * E + Z2) * S, "|c - q|^2 |c + q|^2");
+    const T G_s = let("G_s", (A + c2) * u + h);
+    const T D_s =
+        let("D_s", max(F + h * G_s, negligible<T>()), "|c + q|^4; 0 only for equal media at cos_i = 0");
     const T R_s = let("R_s", F / D_s);
 
-    const T acs = let("acs", ac * sin2);
-    const T N = let("N", (n_t * n_t - k2) * cos2 - n_i * s2); // Re m^2 c^2 - s^2
-    const T B = let("B", (N * N + square(Z * cos2)) * u2);
-    const T G_p = let("G_p", (A * cos2 + s2 * s2) * u + acs);
-    const T D_p = let("D_p", max(B + 2 * acs * G_p, negligible<T>()));
+    const T h_p = let("h_p", h * sin2);
+    const T N = let("N", t0 * cos2 - s4);
+    const T M = let("M", Z * cos2);
+    const T B = let("B", (N * N + M * M) * S, "|q c - s^2|^2 |q c + s^2|^2");
+    const T G_p = let("G_p", (A * cos2 + s4) * u + h_p);
+    const T D_p = let("D_p", B + h_p * G_p, "|q c + s^2|^4");
     const T R_p = let("R_p", R_s * (B / D_p));
 
-    const T T_s = let("T_s", select(F <= 0, 1 - R_s, 2 * (a * (G_s / D_s)) * c));
-    const T T_p = let("T_p", T_s + R_s * (2 * (a * (G_p / D_p)) * (c * sin2)));
+    const T T_s = let("T_s", select(F <= 0, 1 - R_s, h * (G_s / D_s)));
+    const T T_p = let("T_p", T_s + R_s * (h_p * (G_p / D_p)));
     return {R_s, R_p, min(T_s, T(1)), min(T_p, T(1))};
 }
 
@@ -218,15 +227,16 @@ boundary<T> conductor_fast(T n_i, T n_t, T k_t, T cos_i) {
     const T c2 = let("c2", c * c);
     const T cos2 = let("cos2", cos_i * cos_i);
     const T sin2 = let("sin2", 1 - cos2);
-    const T t0 = let("t0", (n_t - n_i) * (n_t + n_i) - k_t * k_t + c2);
+    const T s2 = let("s2", n_i * sin2);
+    const T t0 = let("t0", n_t * n_t - n_i * s2 - k_t * k_t);
     const T nk2 = let("nk2", 2 * (n_t * k_t));
-    const T A = let("A", sqrt(t0 * t0 + nk2 * nk2)); // a^2 + b^2
-    const T a2 = let("a2", 2 * (A + t0));            // (2 a)^2
+    const T A = let("A", sqrt(t0 * t0 + nk2 * nk2), "a^2 + b^2");
+    const T a2 = let("a2", 2 * (A + t0), "(2 a)^2");
     const T a = let("a", select(a2 <= 0, T(0), sqrt(select(a2 <= 0, T(1), a2))));
 
     const T t1 = let("t1", A + c2);
     const T t2 = let("t2", min(a * c, t1));
-    const T t3 = let("t3", max(cos2 * A + square(n_i * sin2), negligible<T>()));
+    const T t3 = let("t3", cos2 * A + s2 * s2);
     const T t4 = let("t4", min(t2 * sin2, t3));
     const T D_s =
         let("D_s", max(t1 + t2, negligible<T>())); // below it only for equal media at grazing incidence

@@ -11,7 +11,8 @@
 //     select(mask, a, b)      a where the mask holds, otherwise b; both are always evaluated
 //     sqrt abs min max        the usual ones; min and max keep a NaN that is their first argument
 //     exp2 log2 log pow       pow(x, y) for x >= 0 only
-//     let("name", x)          x itself; the name a paper gives it, for number types that print
+//     let("name", x)          x itself; the name a paper gives it, for number types that print; a third argument
+//                             is a remark to stand beside it
 //     ratio<T, 1, 7>()        the constant 1/7, correctly rounded in every T
 //     T(1)                    an integer as a T, where a literal alone would not have the type
 //
@@ -62,9 +63,9 @@ constexpr T max(T a, std::type_identity_t<T> b) {
     return select(a < b, b, a);
 }
 
-/// Gives a quantity the name it has in the literature: the identity for numbers.
+/// Gives a quantity the name it has in the literature, and says what it is: the identity for numbers.
 template <class T>
-constexpr T let(const char*, T value) {
+constexpr T let(const char* /*name*/, T value, const char* /*remark*/ = nullptr) {
     return value;
 }
 

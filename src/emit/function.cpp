@@ -4,6 +4,7 @@
 #include "error.hpp"
 
 #include <fresnel/geometry.hpp>
+#include <fresnel/shading.hpp>
 
 #include <fmt/format.h>
 
@@ -58,7 +59,8 @@ void add_equation(std::vector<std::string>& lines, std::string_view equation) {
     while (!equation.empty()) {
         const std::size_t end = std::min(equation.find(", "), equation.size());
         const std::string_view part = equation.substr(0, std::min(end + 2, equation.size()));
-        if (line.size() + part.size() > longest) lines.push_back(line), line = "  ";
+        if (line.size() + part.size() > longest)
+            lines.push_back(line.substr(0, line.size() - 1)), line = "  ";
         line += part;
         equation.remove_prefix(part.size());
     }
@@ -350,6 +352,41 @@ std::vector<function> record_geometry() {
                                 {"The relative index above 1 that has this f0.", "",
                                  "  eta = (1 + sqrt f0) / (1 - sqrt f0) = (1 + sqrt f0)^2 / (1 - f0)"},
                                 [](values x) { return fresnel::eta_from_f0(x[0]); }));
+    return all;
+}
+
+std::vector<function> record_shading() {
+    using values = const std::vector<sym>&;
+    const argument cos_i{"cos_i", 1, "cosine between view and normal, [0, 1]"};
+    const argument part{"fresnel", 1, "opacity by reflection, [0, 1]"};
+    std::vector<function> all;
+    all.push_back(record_helper("phong_lobe",
+                                {{"cos_r", 1, "cosine between the view and the mirrored light, [-1, 1]"},
+                                 {"shininess", 1, "sharpness, above 0"}},
+                                {"The lobe of Phong's highlight, to be multiplied by the reflectance.", "",
+                                 "  max(cos_r, 0)^shininess"},
+                                [](values x) { return fresnel::phong_lobe(x[0], x[1]); }));
+    all.push_back(record_helper("opacity_fresnel",
+                                {{"a0", 1, "opacity by reflection seen along the normal, [0, 1]"}, cos_i},
+                                {"Opacity by reflection: from the user's value to 1 at the silhouette.", "",
+                                 "  a0 + (1 - a0) (1 - cos_i)^5"},
+                                [](values x) { return fresnel::opacity_fresnel(x[0], x[1]); }));
+    all.push_back(record_helper(
+        "opacity_silhouette", {{"a", 1, "opacity by attenuation seen along the normal, [0, 1]"}, cos_i},
+        {"Opacity by attenuation in a thin layer, in proportion to the path through it.", "",
+         "  min(1, a / cos_i)"},
+        [](values x) { return fresnel::opacity_silhouette(x[0], x[1]); }));
+    all.push_back(record_helper(
+        "opacity_attenuation",
+        {{"total", 1, "opacity of the whole, [0, 1]"}, {"fresnel", 1, "opacity by reflection, [0, 1)"}},
+        {"The opacity by attenuation that gives a layer a total opacity; negative "
+         "where there is none.",
+         "", "  (total - fresnel) / (1 - fresnel)"},
+        [](values x) { return fresnel::opacity_attenuation(x[0], x[1]); }));
+    all.push_back(record_helper(
+        "opacity_total", {{"attenuation", 1, "opacity by attenuation, [0, 1]"}, part},
+        {"Opacity of a layer that attenuates and reflects.", "", "  1 - (1 - attenuation) (1 - fresnel)"},
+        [](values x) { return fresnel::opacity_total(x[0], x[1]); }));
     return all;
 }
 

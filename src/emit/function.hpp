@@ -53,6 +53,9 @@ function record(std::string_view model, const request& wanted = {});
 /// eta_from_f0: what surrounds the models in every library.
 std::vector<function> record_geometry();
 
+/// phong_lobe, opacity_fresnel, opacity_silhouette, opacity_attenuation and opacity_total: highlights and thin layers.
+std::vector<function> record_shading();
+
 /// Where a branch of a select repeats the select's own comparison, that inner select is the side it always takes:
 /// m ? a : f(m ? b : c) becomes m ? a : f(c), the same value with less to read and to compute.
 void simplify(function& f);

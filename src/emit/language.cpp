@@ -34,6 +34,24 @@ constexpr std::array all = {
              struct_style::initializer, true, true, false, true, "xyz"},
 };
 
+// The shading language of Godot 4, whose engine pack is made of it; it has no overloads.
+constexpr language gdshader{"gdshader",
+                            "the shading language of Godot 4",
+                            "gdshaderinc",
+                            "float",
+                            "vec3",
+                            "vec3",
+                            "bvec3",
+                            "",
+                            "",
+                            choice_style::ternary,
+                            struct_style::constructor,
+                            false,
+                            true,
+                            false,
+                            false,
+                            "xyz"};
+
 // Words that some language keeps for itself, and functions it already has. A name is refused everywhere that any
 // language of its group refuses it: less to look up for a reader who moves text from one to another.
 constexpr std::string_view c_family = " alignas alignof and and_eq asm atomic auto bitand bitor bool break "
@@ -162,11 +180,17 @@ constexpr std::string_view slang_words = " associatedtype cbuffer enum extension
                                          "try none each expand module implementing "
                                          "precedence optional This dynamic_dispatch ";
 
+constexpr std::string_view gdshader_words = " E PI TAU TIME INF NAN global group_uniforms hint_range "
+                                            "instance render_mode shader_type source_color varying "
+                                            "vertex fragment light start process sky fog ";
+
 bool holds(std::string_view words, std::string_view word) {
     return words.find(fmt::format(" {} ", word)) != std::string_view::npos;
 }
 
 bool is_reserved(const language& l, std::string_view word) {
+    if (l.id == "gdshader")
+        return holds(c_family, word) || holds(gl_words, word) || holds(gdshader_words, word);
     if (l.id == "glsl" || l.id == "essl")
         return holds(c_family, word) || holds(gl_words, word) || word.starts_with("gl_");
     if (l.id == "hlsl") return holds(c_family, word) || holds(hlsl_words, word);
@@ -214,6 +238,7 @@ const language& find_language(std::string_view id) {
         if (l.id == id) return l;
         ids.emplace_back(l.id);
     }
+    if (id == "gdshader") return gdshader;
     if (id == "hip") return find_language("cuda");
     if (id == "cg") return find_language("hlsl");
     throw bad_input(fmt::format("--lang = '{}': is not a language{}; one of {}", id, did_you_mean(id, ids),

@@ -49,7 +49,8 @@ struct language {
 /// GLSL, GLSL ES, HLSL, MSL, WGSL, OSL, CUDA and HIP, C99 and Slang.
 std::span<const language> languages();
 
-/// The language of that id; throws bad_input with the nearest one where there is none.
+/// The language of that id, or Godot's "gdshader", which has an engine pack in place of a library file; throws bad_input
+/// with the nearest one where there is none.
 const language& find_language(std::string_view id);
 
 /// A name that the language accepts, as near to the one given as can be: reserved words and the names of built-in

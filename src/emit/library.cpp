@@ -83,6 +83,16 @@ function named(function f, const model_request& wanted) {
     return f;
 }
 
+// The RGB function without what stands beside it.
+std::string rgb_alone(const language& l, const function& rgb, const style& how) {
+    const std::string own = legal_name(l, rgb.name);
+    const std::string comment = how.comment ? comment_block(rgb.comment) : "";
+    if (!l.arithmetic || compares(rgb)) return comment + by_channel(l, rgb, own);
+    style plain = how;
+    plain.comment = false;
+    return comment + rename(print(l, rgb, plain), own, printed_name(l, rgb.name, 3, false));
+}
+
 std::string rgb_text(const language& l, const model_request& wanted, const style& how) {
     const std::string text = channels_text(l, wanted, how);
     if (text.empty()) return {};
@@ -193,12 +203,7 @@ std::string channels_text(const language& l, const model_request& wanted, const 
     function rgb = named(record(wanted.model, {3, false, wanted.fixed}), wanted);
     if (!has_rgb_argument(rgb)) return {};
     rgb.comment = {"The same for three channels, which share the angle."};
-    const std::string own = legal_name(l, rgb.name);
-    const std::string text = comment_block(rgb.comment);
-    if (!l.arithmetic || compares(rgb)) return wrapped_lines(text + by_channel(l, rgb, own));
-    style plain = how;
-    plain.comment = false;
-    return wrapped_lines(text + rename(print(l, rgb, plain), own, printed_name(l, rgb.name, 3, false)));
+    return wrapped_lines(rgb_alone(l, rgb, how));
 }
 
 namespace {
@@ -224,12 +229,35 @@ std::string model_text(const language& l, const model_request& wanted, const sty
     return wrapped_lines(unwrapped_model_text(l, wanted, how));
 }
 
+sole_function sole_text(const language& l, const model_request& wanted, int width) {
+    const function scalar = named(record(wanted.model, {1, false, wanted.fixed}), wanted);
+    function rgb = named(record(wanted.model, {3, false, wanted.fixed}), wanted);
+    const bool three = width == 3 && scalar.width() == 1 && has_rgb_argument(rgb);
+    const function& f = three ? rgb : scalar;
+    sole_function sole{{}, printed_name(l, f.name, f.width(), false), f.arguments, f.width()};
+    sole.arguments.pop_back();
+    const std::string own = legal_name(l, f.name);
+    if (!three) {
+        sole.text = comment_block(f.comment) +
+                    rename(print(l, f, {.precise = false, .comment = false}), own, sole.name);
+    } else if (compares(rgb) || !l.arithmetic) {
+        rgb.comment = {"The same for three channels, which share the angle."};
+        sole.text = print(l, scalar) + "\n" + rgb_alone(l, rgb, {});
+    } else {
+        sole.text = rgb_alone(l, rgb, {});
+    }
+    return sole;
+}
+
 std::string library_text(const language& l) {
     std::string text = preamble(l, fmt::format("fresnel shader --all --lang {}", l.id));
     text += "\n" + rule("directions, angles and indices");
     std::vector<function> geometry = record_geometry();
     for (std::size_t i = 1; i < geometry.size(); ++i)
         text += wrapped_lines(print(l, geometry[i])) + "\n";
+    text += rule("highlights and thin layers");
+    for (const function& f : record_shading())
+        text += wrapped_lines(print(l, f)) + "\n";
     std::string_view title;
     for (const model_row<double>& row : model_table<double>()) {
         const std::string_view kind = row.kind == model_kind::exact      ? "exact"

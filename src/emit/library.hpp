@@ -21,6 +21,16 @@ struct model_request {
 /// both polarisations. Throws bad_input as `record` does.
 std::string model_text(const language& l, const model_request& wanted, const style& how = {});
 
+/// The model's function of one width alone, with what it calls, and how it is called.
+struct sole_function {
+    std::string text, name;
+    std::vector<argument> arguments; ///< without cos_i
+    int width;                       ///< of its result
+};
+
+/// For `width` 3 with RGB parameters, if the model has any that are not fixed; fixed colours give three in any case.
+sole_function sole_text(const language& l, const model_request& wanted, int width);
+
 /// Everything that model_text needs before it: what the text is and its conventions, types, the cosine of two
 /// directions.
 std::string preamble(const language& l, std::string_view made_by);

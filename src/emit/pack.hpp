@@ -10,9 +10,19 @@ struct pack_file {
     std::string path, text;
 };
 
-/// One library file for each language: glsl/fresnel.glsl and so on, with a README.
+/// One library file for each language: glsl/fresnel.glsl and so on.
 std::vector<pack_file> language_packs();
 
+/// three.js: a package with GLSL for WebGLRenderer and nodes for WebGPURenderer.
+std::vector<pack_file> threejs_pack();
+
+/// Godot 4: an addon's folder.
+std::vector<pack_file> godot_pack();
+/// unity/: a package with the HLSL library and materials for the built-in pipeline and URP.
+std::vector<pack_file> unity_pack();
+
+/// unreal/: the HLSL library for the Custom node, and how it is used there.
+std::vector<pack_file> unreal_pack();
 /// A MaterialX data library: a node for every model, in GLSL and OSL.
 std::vector<pack_file> materialx_pack();
 

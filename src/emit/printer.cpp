@@ -6,6 +6,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -31,8 +32,10 @@ public:
     }
 
     std::string lines() {
-        for (const std::uint32_t node : order_)
-            text_ += fmt::format("    {};\n", declaration(node));
+        for (const std::uint32_t node : order_) {
+            const std::string& remark = at(node).remark;
+            text_ += fmt::format("    {};{}{}\n", declaration(node), remark.empty() ? "" : " // ", remark);
+        }
         return text_ + returned();
     }
 
@@ -118,8 +121,8 @@ private:
 
     std::string unique(const std::string& name) {
         std::string tried = name;
-        for (int i = 2; !taken_.insert(tried).second; ++i)
-            tried = fmt::format("{}_{}", name, i);
+        for (int& i = last_number_[name]; !taken_.insert(tried).second;)
+            tried = fmt::format("{}_{}", name, (i = std::max(i, 1) + 1));
         return tried;
     }
 
@@ -179,6 +182,8 @@ private:
     std::string splat(std::uint32_t node, int width) {
         const fragment x = use(node);
         if (width == 1 || at(node).width == 3 || is_mask(node)) return x.text;
+        // FXC has no float3 of one number, only a cast
+        if (l_.id == "hlsl") return fmt::format("({}){}", l_.triple, bracketed(x, fragment::primary));
         return fmt::format("{}({})", f_.directions ? l_.vector : l_.triple, x.text);
     }
 
@@ -324,6 +329,7 @@ private:
     std::vector<std::uint32_t> order_; ///< local variables
     std::vector<std::string> names_;   ///< of inputs and local variables, otherwise empty
     std::set<std::string> taken_;
+    std::map<std::string, int> last_number_; ///< given to a name that was taken
     std::string text_;
 };
 

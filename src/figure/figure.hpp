@@ -38,7 +38,8 @@ struct marker {
 struct axis {
     std::string label;
     double lo = 0, hi = 1;
-    double tick = 0; ///< distance of the ticks; 0 lets the writer choose
+    double tick = 0; ///< distance of the ticks, or their ratio; 0 lets the writer choose
+    bool logarithmic = false;
 };
 
 /// Words in a panel, at a point of its axes.

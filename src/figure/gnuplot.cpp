@@ -157,6 +157,13 @@ private:
         command("set xlabel {} offset 0,0.3 norotate\nset ylabel {} offset 0.6,0 rotate by 90",
                 quoted(x.label), quoted(y.label));
         command("set xtics {} out nomirror\nset ytics {} out nomirror", ticks(x), ticks(y));
+        scale('x', x), scale('y', y);
+    }
+
+    // Between ticks that double there are no smaller ones.
+    void scale(char name, const axis& a) {
+        command("{} logscale {}", a.logarithmic ? "set" : "unset", name);
+        command("set m{}tics {}", name, a.logarithmic && a.tick == 2 ? "1" : "default");
     }
 
     static std::string ticks(const axis& a) { return a.tick > 0 ? fmt::format("{}", a.tick) : "autofreq"; }
@@ -198,7 +205,7 @@ private:
                                                    : "center",
                     n.color);
         command("plot {}", plots.empty() ? "NaN notitle" : plots.substr(0, plots.size() - 2));
-        command("unset arrow\nunset label\nunset object");
+        command("unset arrow\nunset label\nunset object\nunset logscale");
     }
 
     std::string plot(const series& s) {

@@ -64,6 +64,7 @@ struct expression {
     std::array<std::uint32_t, 3> operands{}; ///< indices of earlier nodes, `arity` of them
     std::array<float, 3> value{};            ///< of a constant: all equal for width 1
     std::string name{};                      ///< of an input, or what `let` called it; otherwise empty
+    std::string remark{};                    ///< what `let` said of it
     std::uint32_t named = 0;                 ///< the how manieth name of its graph that is; 0 is none
 };
 
@@ -190,10 +191,11 @@ public:
     }
 
     /// Names a node that has no name yet. Inputs keep theirs; one number that is constant is written as such.
-    void name(std::uint32_t node, std::string_view given) {
+    void name(std::uint32_t node, std::string_view given, std::string_view remark = {}) {
         expression& x = nodes_[node];
         if (!can_be_named(x)) return;
         x.name = given;
+        x.remark = remark;
         x.named = ++names_;
     }
 
@@ -201,6 +203,7 @@ public:
     void pass_name(std::uint32_t from, std::uint32_t to) {
         if (nodes_[from].named == 0 || !can_be_named(nodes_[to])) return;
         nodes_[to].name = nodes_[from].name;
+        nodes_[to].remark = nodes_[from].remark;
         nodes_[to].named = nodes_[from].named;
     }
 
@@ -336,8 +339,8 @@ inline sym select(sym_mask m, sym yes, sym no) {
     return sym(recording::graph().make(operation::choose, {m.node(), yes.node(), no.node()}));
 }
 
-inline sym let(const char* name, sym x) {
-    recording::graph().name(x.node(), name);
+inline sym let(const char* name, sym x, const char* remark = "") {
+    recording::graph().name(x.node(), name, remark);
     return x;
 }
 

@@ -1,0 +1,140 @@
+// `fresnel shader` as a user runs it.
+
+#include "command.hpp"
+
+namespace fresnel::test {
+namespace {
+
+constexpr const char* language_names[] = {"glsl", "essl", "hlsl", "msl", "wgsl", "osl", "cuda", "c", "slang"};
+
+class shader : public command_test {
+protected:
+    std::string text(const std::string& arguments) const {
+        const outcome result = run("shader " + arguments);
+        EXPECT_EQ(result.code, 0) << arguments << "\n" << result.err;
+        return result.out;
+    }
+};
+
+void expect_holds(const std::string& text, const std::string& piece) {
+    EXPECT_NE(text.find(piece), std::string::npos) << "lacks: " << piece << "\n" << text;
+}
+
+TEST_F(shader, prints_schlick_as_a_person_would_write_it) {
+    const std::string glsl = text("schlick --lang glsl");
+    expect_holds(glsl, "float schlick(float f0, float cos_i) {\n"
+                       "    float m = 1.0 - cos_i;\n"
+                       "    float m2 = m * m;\n"
+                       "    return f0 + (1.0 - f0) * (m2 * m2 * m);\n"
+                       "}\n");
+    expect_holds(glsl, "vec3 schlick(vec3 f0, float cos_i) {\n");
+    expect_holds(glsl, "vec3 schlick(vec3 f0, vec3 normal, vec3 direction) {\n");
+    expect_holds(text("schlick --lang wgsl"), "fn schlick_rgb(f0: vec3f, cos_i: f32) -> vec3f {\n"
+                                              "    let m = 1.0 - cos_i;\n"
+                                              "    let m2 = m * m;\n"
+                                              "    return f0 + (1.0 - f0) * (m2 * m2 * m);\n"
+                                              "}\n");
+    expect_holds(text("schlick --lang c"), "static inline float schlick(float f0, float cos_i) {\n"
+                                           "    const float m = 1.0f - cos_i;\n");
+}
+
+TEST_F(shader, says_above_each_function_what_it_is_and_where_from) {
+    const std::string hlsl = text("f82 --lang hlsl");
+    for (const char* piece :
+         {"// f0      reflectance at normal incidence, [0, 1]", "// cos_i   cosine of incidence, [0, 1]",
+          "// error   at most 0.0517, certified", "// cost    ", "// source  Hoffman 2019"})
+        expect_holds(hlsl, piece);
+    expect_holds(hlsl, "point away from the surface");
+}
+
+TEST_F(shader, library_of_every_language_holds_every_model) {
+    const nlohmann::json models = json("models --json");
+    for (const char* language : language_names) {
+        const std::string library = text(std::string("--all --lang ") + language);
+        for (const nlohmann::json& model : models) {
+            std::string name = " " + model["name"].get<std::string>();
+            if (model["kind"] == "exact") expect_holds(library, name + "_boundary(");
+            if (name == " constant" && std::string(language) == "msl") name += "_"; // an address space there
+            expect_holds(library, name + "(");
+        }
+        for (const char* helper : {"incidence_cosine(", "reflected_direction(", "refracted_direction(",
+                                   "critical_cosine(", "f0_from_eta(", "eta_from_f0("})
+            expect_holds(library, helper);
+    }
+}
+
+TEST_F(shader, fixed_parameters_are_gone_and_folded) {
+    const std::string glsl = text("schlick --fix f0=0.04");
+    expect_holds(glsl, "float schlick(float cos_i) {\n");
+    expect_holds(glsl, "return 0.04 + 0.96 * (m2 * m2 * m);\n");
+    expect_holds(text("dielectric --fix n_i=1"), "float dielectric(float n_t, float cos_i) {\n");
+    expect_holds(text("schlick --fix f0=1,0.78,0.34"), "vec3 f0 = vec3(1.0, 0.78, 0.34);\n");
+}
+
+TEST_F(shader, material_gives_constants_with_their_source) {
+    const std::string glsl = text("schlick --material gold --space acescg --name gold");
+    expect_holds(glsl, "vec3 gold(float cos_i) {\n");
+    expect_holds(glsl, "// data    gold, fitted in linear acescg; P. B. Johnson and R. W. Christy");
+    const nlohmann::json f0 = json("f0 gold --json --space acescg")["f0"];
+    std::string expected = "vec3 f0 = vec3(";
+    expect_holds(glsl, expected);
+    const std::size_t at = glsl.find(expected) + expected.size();
+    EXPECT_NEAR(std::stod(glsl.substr(at)), f0[0].get<double>(), 1e-6);
+}
+
+TEST_F(shader, hostile_names_are_made_legal_and_said) {
+    const outcome result = run("shader schlick --lang glsl --name mix");
+    EXPECT_EQ(result.code, 0);
+    expect_holds(result.out, "float mix_(float f0, float cos_i)");
+    expect_holds(result.err, "the function is called mix_");
+}
+
+TEST_F(shader, out_writes_one_file_and_nothing_beside_it) {
+    text("schlick --lang hlsl --out a.hlsl");
+    EXPECT_EQ(files(), std::vector<std::string>{"a.hlsl"});
+    EXPECT_EQ(read_text(folder / "work" / "a.hlsl"), text("schlick --lang hlsl"));
+}
+
+TEST_F(shader, written_packs_are_what_check_expects_until_one_is_touched) {
+    text("--write packs");
+    EXPECT_EQ(run("shader --check packs").code, 0);
+    std::ofstream(folder / "work/packs/glsl/fresnel.glsl", std::ios::app) << "// mine\n";
+    outcome result = run("shader --check packs");
+    EXPECT_EQ(result.code, 1);
+    expect_holds(result.out, "glsl/fresnel.glsl differs");
+    std::filesystem::remove(folder / "work/packs/c/fresnel.h");
+    expect_holds(run("shader --check packs").out, "c/fresnel.h is missing");
+    write("packs/glsl/own.glsl", "");
+    expect_holds(run("shader --check packs").out, "glsl/own.glsl is not generated");
+}
+
+TEST_F(shader, checked_in_packs_are_what_the_generator_makes) {
+    const outcome result = run("shader --check '" FRESNEL_SOURCE_DIR "/shaders'");
+    EXPECT_EQ(result.code, 0) << result.out << "run: fresnel shader --write shaders";
+}
+
+TEST_F(shader, bad_input_is_refused_by_name) {
+    expect_refused("shader", {"MODEL", "--all"});
+    expect_refused("shader schlik", {"schlik", "schlick"});
+    expect_refused("shader schlick --lang glsll", {"--lang", "glsll", "did you mean 'glsl'", "wgsl"});
+    expect_refused("shader schlick --fix f1=0.04", {"f1", "schlick", "f0"});
+    expect_refused("shader schlick --fix f0=2", {"f0", "2", "[0, 1]"});
+    expect_refused("shader schlick --fix f0=red", {"f0", "red", "number"});
+    expect_refused("shader schlick --fix f0=1,2", {"f0=1,2", "1 or 3"});
+    expect_refused("shader schlick --fix f0", {"PARAMETER=VALUE"});
+    expect_refused("shader conductor --material gold", {"--material", "conductor", "gulbrandsen"});
+    expect_refused("shader schlick --material unobtainium", {"unobtainium"});
+    expect_refused("shader schlick f82 --name mine", {"--name", "mine", "2"});
+    expect_refused("shader schlick --all", {"--all"});
+    expect_refused("shader --check nowhere", {"--check", "nowhere"});
+}
+
+TEST_F(shader, a_folder_that_cannot_be_written_is_a_failure) {
+    write("file", "");
+    const outcome result = run("shader schlick --out file/a.glsl");
+    EXPECT_EQ(result.code, 1) << result.err;
+    EXPECT_EQ(result.err.rfind("fresnel: ", 0), 0u);
+}
+
+} // namespace
+} // namespace fresnel::test

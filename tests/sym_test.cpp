@@ -1,0 +1,283 @@
+// Expression graphs: what they hold is the float model, operation by operation.
+
+#include "emit/function.hpp"
+#include "emit/printer.hpp"
+
+#include "error.hpp"
+#include "inputs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <random>
+
+namespace fresnel::test {
+namespace {
+
+using emit::function;
+
+/// Computes a graph in float, node by node, in the order in which it stands.
+class interpreter {
+public:
+    interpreter(const function& f, const std::map<std::string, float>& inputs) : value_(f.graph.size()) {
+        for (std::uint32_t i = 0; i < f.graph.size(); ++i) {
+            const expression& x = f.graph[i];
+            if (x.op == operation::input)
+                value_[i] = inputs.at(x.name);
+            else if (x.op == operation::constant)
+                value_[i] = x.value[0];
+            else if (x.op == operation::choose)
+                value_[i] = value_[x.operands[0]] != 0 ? value_[x.operands[1]] : value_[x.operands[2]];
+            else
+                value_[i] = fold(x.op, value_[x.operands[0]], arity(x.op) > 1 ? value_[x.operands[1]] : 0.0f);
+        }
+    }
+    float operator[](std::uint32_t node) const { return value_[node]; }
+
+private:
+    std::vector<float> value_;
+};
+
+/// Parameters and angles: edges, and places between them.
+std::vector<std::vector<float>> some_inputs(const model_row<float>& row, int count) {
+    std::mt19937 random(7);
+    std::vector<std::vector<float>> all;
+    for (int i = 0; i < count; ++i) {
+        std::vector<float> one;
+        for (const parameter& p : row.parameters) {
+            const double lo = std::max(p.min, 0.001), hi = std::min(p.max, 10.0);
+            const double u = std::uniform_real_distribution<double>(0, 1)(random);
+            one.push_back(static_cast<float>(i % 7 == 0 ? p.default_value : lo * std::pow(hi / lo, u)));
+        }
+        const float edges[] = {0.0f, 1.0f, 1.0f / 7, 1e-6f, 0.999999f};
+        one.push_back(i % 3 == 0 ? edges[i / 3 % 5] : std::uniform_real_distribution<float>(0, 1)(random));
+        all.push_back(one);
+    }
+    return all;
+}
+
+void expect_bits(float expected, float actual, const std::string& where) {
+    if (std::isnan(expected) && std::isnan(actual)) return;
+    EXPECT_EQ(std::bit_cast<std::uint32_t>(expected), std::bit_cast<std::uint32_t>(actual))
+        << where << ": " << expected << " and " << actual;
+}
+
+TEST(sym, graph_of_every_model_computes_the_bits_of_the_float_model) {
+    for (const model_row<float>& row : model_table<float>()) {
+        const function f = emit::record(row.name);
+        for (const std::vector<float>& x : some_inputs(row, 3000)) {
+            std::map<std::string, float> inputs = {{"cos_i", x.back()}};
+            for (std::size_t i = 0; i < row.parameters.size(); ++i)
+                inputs[std::string(row.parameters[i].name)] = x[i];
+            const interpreter run(f, inputs);
+            const boundary<float> R = row.evaluate(x.data(), x.back());
+            expect_bits(row.polarised() ? R.reflectance() : R.R_s, run[f.results[0].node],
+                        std::string(row.name));
+            if (HasFailure()) return;
+        }
+    }
+}
+
+TEST(sym, graph_of_every_exact_model_computes_the_bits_of_each_polarisation) {
+    for (const model_row<float>& row : model_table<float>()) {
+        if (!row.polarised()) continue;
+        emit::request wanted;
+        wanted.boundary = true;
+        const function f = emit::record(row.name, wanted);
+        for (const std::vector<float>& x : some_inputs(row, 1000)) {
+            std::map<std::string, float> inputs = {{"cos_i", x.back()}};
+            for (std::size_t i = 0; i < row.parameters.size(); ++i)
+                inputs[std::string(row.parameters[i].name)] = x[i];
+            const interpreter run(f, inputs);
+            const boundary<float> R = row.evaluate(x.data(), x.back());
+            expect_bits(R.R_s, run[f.results[0].node], "R_s");
+            expect_bits(R.R_p, run[f.results[1].node], "R_p");
+            expect_bits(R.T_s, run[f.results[2].node], "T_s");
+            expect_bits(R.T_p, run[f.results[3].node], "T_p");
+            if (HasFailure()) return;
+        }
+    }
+}
+
+TEST(sym, fixed_parameters_fold_to_the_bits_of_the_float_model) {
+    for (const model_row<float>& row : model_table<float>())
+        for (const std::vector<float>& x : some_inputs(row, 200)) {
+            emit::request wanted;
+            for (std::size_t i = 0; i < row.parameters.size(); ++i)
+                wanted.fixed[std::string(row.parameters[i].name)] = {x[i], x[i], x[i]};
+            const function f = emit::record(row.name, wanted);
+            ASSERT_EQ(f.arguments.size(), 1u);
+            const interpreter run(f, {{"cos_i", x.back()}});
+            const boundary<float> R = row.evaluate(x.data(), x.back());
+            expect_bits(row.polarised() ? R.reflectance() : R.R_s, run[f.results[0].node],
+                        std::string(row.name));
+            if (HasFailure()) return;
+        }
+}
+
+TEST(sym, three_channels_are_the_scalar_function_three_times) {
+    for (const model_row<float>& row : model_table<float>()) {
+        emit::request wanted;
+        wanted.width = 3;
+        const function rgb = emit::record(row.name, wanted);
+        if (rgb.width() != 3) continue;
+        const function split = emit::scalarized(
+            rgb, [](std::string_view name, int i) { return std::string(name) + "." + "xyz"[i]; });
+        const function scalar = emit::record(row.name);
+        for (const std::vector<float>& x : some_inputs(row, 100)) {
+            std::map<std::string, float> one = {{"cos_i", x.back()}}, three = one;
+            for (std::size_t i = 0; i < row.parameters.size(); ++i) {
+                const std::string name(row.parameters[i].name);
+                one[name] = three[name] = x[i];
+                for (const char c : {'x', 'y', 'z'})
+                    three[name + "." + c] = x[i];
+            }
+            const interpreter a(scalar, one), b(split, three);
+            for (const emit::result& r : split.results)
+                expect_bits(a[scalar.results[0].node], b[r.node], std::string(row.name));
+            if (HasFailure()) return;
+        }
+    }
+}
+
+TEST(sym, same_operation_on_the_same_operands_is_one_node) {
+    expression_graph graph;
+    const recording scope(graph);
+    const sym x = graph.input("x"), y = graph.input("y");
+    const sym product = x * y, sum = x + y;
+    EXPECT_EQ(product.node(), (y * x).node());
+    EXPECT_EQ(sum.node(), (y + x).node());
+    EXPECT_NE((x - y).node(), (y - x).node());
+    EXPECT_EQ(graph[(y * x).node()].operands[0], x.node()) << "in the order first written";
+    EXPECT_EQ(graph.input("x").node(), x.node());
+}
+
+TEST(sym, sums_and_products_are_not_rearranged) {
+    expression_graph graph;
+    const recording scope(graph);
+    const sym x = graph.input("x"), y = graph.input("y"), z = graph.input("z");
+    EXPECT_NE(((x + y) + z).node(), (x + (y + z)).node());
+    EXPECT_NE(((x * y) * z).node(), (x * (y * z)).node());
+    EXPECT_NE((x / y).node(), (x * (1 / y)).node());
+}
+
+TEST(sym, constants_are_folded_in_float) {
+    expression_graph graph;
+    const recording scope(graph);
+    const sym folded = 1 - ratio<sym, 7, 10>() * ratio<sym, 1, 3>();
+    ASSERT_TRUE(graph.is_constant(folded.node()));
+    EXPECT_EQ(graph[folded.node()].value[0], 1.0f - 0.7f * (1.0f / 3.0f));
+    const sym x = graph.input("x");
+    EXPECT_EQ((1 * x).node(), x.node());
+    EXPECT_EQ((x + 0).node(), x.node());
+    EXPECT_EQ((x - 0).node(), x.node());
+    EXPECT_EQ((x / 1).node(), x.node());
+    EXPECT_TRUE(graph.is((0 * x).node(), 0));
+    EXPECT_NE((0 - x).node(), x.node());
+}
+
+TEST(sym, operands_stand_before_what_is_made_of_them) {
+    for (const model_row<double>& row : model_table<double>()) {
+        const function f = emit::record(row.name);
+        for (std::uint32_t i = 0; i < f.graph.size(); ++i)
+            for (std::size_t k = 0; k < arity(f.graph[i].op); ++k)
+                ASSERT_LT(f.graph[i].operands[k], i) << row.name;
+    }
+}
+
+TEST(sym, a_hundred_thousand_nodes_deep_is_printed_without_recursion) {
+    function f;
+    f.name = "deep", f.arguments = {{"x", 1, ""}};
+    const recording scope(f.graph);
+    const sym x = f.graph.input("x");
+    sym sum = x;
+    for (int i = 0; i < 100000; ++i)
+        sum = let("s", sum * x + 1);
+    f.results = {{"R", sum.node()}};
+    emit::simplify(f);
+    const std::string text = emit::print(emit::find_language("glsl"), f);
+    EXPECT_NE(text.find("s_99999 ="), std::string::npos);
+}
+
+TEST(sym, a_branch_that_repeats_its_own_comparison_is_shortened) {
+    function f;
+    f.name = "guarded", f.arguments = {{"x", 1, ""}};
+    const recording scope(f.graph);
+    const sym x = f.graph.input("x");
+    f.results = {{"R", select(x <= 0, sym(0), sqrt(select(x <= 0, sym(1), x))).node()}};
+    emit::simplify(f);
+    EXPECT_NE(emit::print(emit::find_language("glsl"), f).find("return x <= 0.0 ? 0.0 : sqrt(x);"),
+              std::string::npos)
+        << emit::print(emit::find_language("glsl"), f);
+    for (const float at : {-1.0f, 0.0f, 4.0f})
+        EXPECT_EQ((interpreter(f, {{"x", at}})[f.results[0].node]), at > 0 ? std::sqrt(at) : 0.0f);
+}
+
+// ---- text -------------------------------------------------------------------------------------------------
+
+std::string returned(const std::function<sym(sym, sym, sym)>& body, std::string_view language = "glsl") {
+    function f;
+    f.name = "f", f.arguments = {{"a", 1, ""}, {"b", 1, ""}, {"d", 1, ""}};
+    const recording scope(f.graph);
+    f.results = {{"R", body(f.graph.input("a"), f.graph.input("b"), f.graph.input("d")).node()}};
+    const std::string text = emit::print(emit::find_language(language), f);
+    const std::size_t begin = text.find("return ") + 7;
+    return text.substr(begin, text.find(';', begin) - begin);
+}
+
+TEST(printer, writes_the_parentheses_that_keep_the_order_and_no_others) {
+    EXPECT_EQ(returned([](sym a, sym b, sym c) { return a + b + c; }), "a + b + d");
+    EXPECT_EQ(returned([](sym a, sym b, sym c) { return a + (b + c); }), "a + (b + d)");
+    EXPECT_EQ(returned([](sym a, sym b, sym c) { return a - (b - c); }), "a - (b - d)");
+    EXPECT_EQ(returned([](sym a, sym b, sym c) { return a * (b * c); }), "a * (b * d)");
+    EXPECT_EQ(returned([](sym a, sym b, sym c) { return a / (b * c); }), "a / (b * d)");
+    EXPECT_EQ(returned([](sym a, sym b, sym c) { return a / b * c; }), "a / b * d");
+    EXPECT_EQ(returned([](sym a, sym b, sym c) { return (a + b) * c; }), "(a + b) * d");
+    EXPECT_EQ(returned([](sym a, sym b, sym c) { return a + b * c; }), "a + b * d");
+    EXPECT_EQ(returned([](sym a, sym b, sym c) { return a - -(b * c); }), "a - (-(b * d))");
+    EXPECT_EQ(returned([](sym a, sym b, sym c) { return -a * b + c; }), "-a * b + d");
+    EXPECT_EQ(returned([](sym a, sym b, sym) { return a + ratio<sym, -1, 2>() * b; }), "a + (-0.5 * b)");
+    EXPECT_EQ(returned([](sym a, sym b, sym c) { return select(a < 0, b, c) + 1; }),
+              "(a < 0.0 ? b : d) + 1.0");
+    EXPECT_EQ(returned([](sym a, sym b, sym c) { return select(a > b, b, c); }, "wgsl"),
+              "select(d, b, b < a)");
+}
+
+TEST(printer, writes_the_shortest_literal_that_reads_back_and_never_an_integer) {
+    const emit::language& glsl = emit::find_language("glsl");
+    const emit::language& c = emit::find_language("c");
+    EXPECT_EQ(emit::literal(glsl, 1), "1.0");
+    EXPECT_EQ(emit::literal(glsl, 0.04f), "0.04");
+    EXPECT_EQ(emit::literal(c, 0.1f), "0.1f");
+    EXPECT_EQ(emit::literal(glsl, 1e-20f), "1e-20");
+    EXPECT_EQ(emit::literal(glsl, -16777216), "-16777216.0");
+    EXPECT_THROW(emit::literal(glsl, INFINITY), failure);
+    std::mt19937 random(3);
+    for (int i = 0; i < 100000; ++i) {
+        const float value = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
+        if (!std::isnormal(value)) continue;
+        ASSERT_EQ(std::strtof(emit::literal(glsl, value).c_str(), nullptr), value);
+        ASSERT_EQ(static_cast<float>(std::strtod(emit::literal(glsl, value).c_str(), nullptr)), value);
+    }
+}
+
+TEST(printer, makes_every_name_one_that_the_language_accepts) {
+    const auto legal = [](std::string_view language, std::string_view name) {
+        return emit::legal_name(emit::find_language(language), name);
+    };
+    EXPECT_EQ(legal("glsl", "mix"), "mix_");
+    EXPECT_EQ(legal("glsl", "sample"), "sample_");
+    EXPECT_EQ(legal("hlsl", "sample"), "sample_");
+    EXPECT_EQ(legal("wgsl", "new"), "new_");
+    EXPECT_EQ(legal("c", "new"), "new_") << "a header that C++ includes too";
+    EXPECT_EQ(legal("glsl", "__x"), "x");
+    EXPECT_EQ(legal("glsl", "a__b"), "a_b");
+    EXPECT_EQ(legal("glsl", "gl_Position"), "gl_Position_");
+    EXPECT_EQ(legal("osl", "normal"), "normal_");
+    EXPECT_EQ(legal("glsl", "normal"), "normal");
+    EXPECT_EQ(legal("c", "2fast"), "f_2fast");
+    EXPECT_EQ(legal("c", "a-b c"), "a_b_c");
+}
+
+} // namespace
+} // namespace fresnel::test

@@ -1,0 +1,253 @@
+// The programs of `fresnel shader MODEL --technique T`: every model by every technique in every dialect, compiled.
+
+#include "command.hpp"
+#include "shader_compilers.hpp"
+
+#include "analysis/model_table.hpp"
+#include "emit/technique.hpp"
+#include "error.hpp"
+
+#include <fmt/format.h>
+
+namespace fresnel::test {
+
+namespace {
+
+using emit::stage;
+
+std::string program_text(std::string_view dialect, std::string_view technique, const std::string& model,
+                         stage stages = stage::both) {
+    return emit::technique_text(emit::find_dialect(dialect), emit::find_technique(technique), {model}, stages,
+                                "technique_test");
+}
+
+bool contains(const std::string& text, std::string_view piece) {
+    return text.find(piece) != std::string::npos;
+}
+
+class techniques : public shader_test {
+protected:
+    // Every model by every technique; `few`: every model by two of them and two models by the others, since the
+    // functions and what stands around them meet in no other way.
+    template <class Body>
+    void for_each_program(bool few, Body&& body) {
+        for (const emit::technique& t : emit::techniques())
+            for (const model_row<double>& row : model_table<double>())
+                if (!few || t.name == "per-pixel" || t.name == "per-vertex" || row.name == "schlick" ||
+                    row.name == "dielectric")
+                    body(std::string(t.name), std::string(row.name));
+    }
+
+    // All files in one process: glslang reads its own definitions once.
+    void check_glsl(const std::string& dialect) {
+        if (!has_command("glslangValidator")) GTEST_SKIP() << "skipped: no glslangValidator";
+        int programs = 0;
+        for_each_program(false, [&](const std::string& technique, const std::string& model) {
+            const std::string name = technique + "_" + model;
+            write(name + ".vert", program_text(dialect, technique, model, stage::vertex));
+            write(name + ".frag", program_text(dialect, technique, model, stage::fragment));
+            ++programs;
+        });
+        EXPECT_EQ(programs, 7 * 26);
+        EXPECT_EQ(complaints("glslangValidator *.vert *.frag | (! grep -E 'ERROR|error')"), "");
+        // both stages meet, and glslang's instructions are valid
+        for (const std::string model : {"schlick", "dielectric", "gulbrandsen"})
+            for (const std::string technique : {"per-vertex", "per-pixel", "semitransparent"}) {
+                const std::string name = technique + "_" + model;
+                EXPECT_EQ(complaints(fmt::format("glslangValidator -l {0}.vert {0}.frag", name)), "");
+                if (dialect == "glsl" && has_command("spirv-val")) {
+                    EXPECT_EQ(complaints(fmt::format("glslangValidator -G --aml --amb -o p.spv {}.frag && "
+                                                     "spirv-val p.spv",
+                                                     name)),
+                              "");
+                }
+            }
+    }
+
+    void check_hlsl(const std::string& dialect) {
+        if (!has_command("glslangValidator")) GTEST_SKIP() << "skipped: no glslangValidator";
+        for_each_program(true, [&](const std::string& technique, const std::string& model) {
+            write("p.hlsl", program_text(dialect, technique, model));
+            EXPECT_EQ(complaints("glslangValidator -D -V -S vert -e vertex_main -o v.spv p.hlsl && "
+                                 "glslangValidator -D -V -S frag -e fragment_main -o f.spv p.hlsl"),
+                      "")
+                << technique << " " << model;
+            // glslang's own instructions for tex2D are refused by spirv-val
+            if (dialect == "hlsl" && has_command("spirv-val")) {
+                EXPECT_EQ(complaints("spirv-val v.spv && spirv-val f.spv"), "") << technique << " " << model;
+            }
+        });
+    }
+};
+
+} // namespace
+
+TEST_F(techniques, every_program_compiles_as_GLSL) { check_glsl("glsl"); }
+TEST_F(techniques, every_program_compiles_as_GLSL_ES) { check_glsl("essl"); }
+TEST_F(techniques, programs_compile_as_HLSL) { check_hlsl("hlsl"); }
+TEST_F(techniques, programs_compile_as_HLSL_of_shader_models_2_and_3) { check_hlsl("cg"); }
+
+TEST_F(techniques, every_program_compiles_as_WGSL) {
+    if (!has_command("naga") && !has_command("tint")) GTEST_SKIP() << "skipped: neither naga nor tint";
+    for_each_program(false, [&](const std::string& technique, const std::string& model) {
+        write("p.wgsl", program_text("wgsl", technique, model));
+        for (const std::string compiler : {"naga p.wgsl", "tint p.wgsl -o o.wgsl"}) {
+            if (!has_command(compiler.substr(0, 4))) continue;
+            EXPECT_EQ(complaints(compiler), "") << technique << " " << model;
+        }
+    });
+}
+
+// No Metal compiler can be had outside Apple's machines. The language is C++ with vectors, so clang reads the programs, all
+// in one text, with a header of ours.
+TEST_F(techniques, every_program_is_MSL_as_far_as_clang_can_tell) {
+    if (!has_command("clang++-19")) GTEST_SKIP() << "skipped: no clang++-19";
+    const std::string command =
+        std::string("clang++-19 -std=c++14 -fsyntax-only -nostdinc -isystem ") + FRESNEL_SOURCE_DIR +
+        "/tests/metal -Wall -Wextra -Wno-unused-parameter -Wno-unknown-attributes -Werror "
+        "all.cpp";
+    std::string all = "#include <metal_stdlib>\n";
+    int count = 0;
+    for_each_program(false, [&](const std::string& technique, const std::string& model) {
+        std::string text = program_text("msl", technique, model);
+        const std::string opening = "#include <metal_stdlib>\n";
+        ASSERT_TRUE(contains(text, opening));
+        text.erase(text.find(opening), opening.size());
+        all += fmt::format("namespace program_{} {{\n{}}}\n", count++, text);
+    });
+    write("all.cpp", all);
+    EXPECT_EQ(complaints(command), "");
+    write("all.cpp", all.replace(all.rfind("u.ambient_color"), 15, "u.ambient_colour"));
+    EXPECT_TRUE(contains(complaints(command), "ambient_colour"));
+}
+
+TEST_F(techniques, each_stage_of_a_joint_text_is_whole_too) {
+    if (!has_command("glslangValidator")) GTEST_SKIP() << "skipped: no glslangValidator";
+    for (const emit::technique& t : emit::techniques()) {
+        write("v.hlsl", program_text("hlsl", t.name, "f82", stage::vertex));
+        write("f.hlsl", program_text("hlsl", t.name, "f82", stage::fragment));
+        EXPECT_EQ(complaints("glslangValidator -D -V -S vert -e vertex_main -o v.spv v.hlsl && "
+                             "glslangValidator -D -V -S frag -e fragment_main -o f.spv f.hlsl"),
+                  "");
+    }
+}
+
+TEST_F(techniques, a_broken_program_is_refused_by_each_compiler) {
+    const auto broken = [](std::string text) { // a uniform that nobody declares
+        return text.replace(text.rfind("ambient_color"), 13, "ambient_colour");
+    };
+    if (has_command("glslangValidator")) {
+        for (const std::string dialect : {"glsl", "essl"}) {
+            write("p.frag", broken(program_text(dialect, "per-pixel", "schlick", stage::fragment)));
+            EXPECT_TRUE(contains(complaints("glslangValidator *.frag | (! grep ERROR)"), "ambient_colour"));
+        }
+        for (const std::string dialect : {"hlsl", "cg"}) {
+            write("p.hlsl", broken(program_text(dialect, "per-pixel", "schlick")));
+            EXPECT_TRUE(
+                contains(complaints("glslangValidator -D -V -S frag -e fragment_main -o f.spv p.hlsl"),
+                         "ambient_colour"));
+        }
+    }
+    write("p.wgsl", broken(program_text("wgsl", "per-pixel", "schlick")));
+    for (const std::string compiler : {"naga p.wgsl", "tint p.wgsl -o o.wgsl"}) {
+        if (!has_command(compiler.substr(0, 4))) continue;
+        EXPECT_TRUE(contains(complaints(compiler), "ambient_colour"));
+    }
+}
+
+// What distinguishes the programs is where and of what F is made.
+TEST_F(techniques, each_technique_makes_F_where_it_says) {
+    for (const emit::dialect& d : emit::dialects()) {
+        const auto stage_text = [&](std::string_view technique, stage s) {
+            return program_text(d.id, technique, "schlick", s);
+        };
+        const std::string own = d.id == "wgsl" ? "schlick_rgb(" : "schlick(";
+        const std::string f0 = fmt::format("{}f0", d.uniform);
+        EXPECT_TRUE(contains(stage_text("per-vertex", stage::vertex), own + f0 + ", cos_i)")) << d.id;
+        EXPECT_FALSE(contains(stage_text("per-vertex", stage::fragment), own)) << d.id;
+        EXPECT_FALSE(contains(stage_text("per-vertex", stage::fragment), "normal_map")) << d.id;
+        EXPECT_TRUE(contains(stage_text("per-pixel", stage::fragment), own + f0 + ", cos_i)")) << d.id;
+        EXPECT_FALSE(contains(stage_text("per-pixel", stage::vertex), own)) << d.id;
+        EXPECT_TRUE(contains(stage_text("none", stage::fragment), own + f0 + ", 1.0")) << d.id;
+        EXPECT_TRUE(contains(stage_text("one-minus-cos", stage::fragment), "F = one_minus_cos(cos_i)"))
+            << d.id;
+        EXPECT_FALSE(contains(stage_text("one-minus-cos", stage::fragment), "schlick(")) << d.id;
+        EXPECT_FALSE(contains(stage_text("lut", stage::fragment), own)) << d.id;
+        EXPECT_TRUE(contains(stage_text("lut", stage::fragment), "fresnel_table")) << d.id;
+        EXPECT_TRUE(contains(stage_text("highlights", stage::fragment), own + f0 + ", cos_h)")) << d.id;
+    }
+}
+
+TEST_F(techniques, fixed_parameters_are_no_uniforms) {
+    const auto text = [](const emit::model_request& wanted, std::string_view technique) {
+        return emit::technique_text(emit::find_dialect("glsl"), emit::find_technique(technique), wanted,
+                                    stage::both, "technique_test");
+    };
+    EXPECT_TRUE(contains(text({"schlick"}, "per-pixel"), "uniform vec3 f0;"));
+    EXPECT_FALSE(
+        contains(text({"schlick", {{"f0", {0.04f, 0.04f, 0.04f}}}}, "per-pixel"), "uniform vec3 f0;"));
+    EXPECT_TRUE(
+        contains(text({"schlick", {{"f0", {1, 0.78f, 0.34f}}}}, "per-pixel"), "vec3(1.0, 0.78, 0.34)"));
+    // the index of a dielectric hardly has a colour
+    EXPECT_TRUE(contains(text({"dielectric"}, "per-pixel"), "uniform float n_t;"));
+    EXPECT_TRUE(contains(text({"conductor"}, "per-pixel"), "uniform vec3 n_t;"));
+}
+
+TEST_F(techniques, a_table_has_rows_where_one_parameter_is_left) {
+    const auto text = [](const emit::model_request& wanted) {
+        return emit::technique_text(emit::find_dialect("glsl"), emit::find_technique("lut"), wanted,
+                                    stage::fragment, "technique_test");
+    };
+    const std::string by_f0 = text({"schlick"});
+    EXPECT_TRUE(contains(by_f0, "uniform float f0;"));
+    EXPECT_TRUE(contains(by_f0, "`fresnel lut schlick --by f0 --map cos` bakes it"));
+    EXPECT_TRUE(contains(text({"dielectric"}), "uniform float eta;"));
+    const std::string one_row = text({"schlick", {{"f0", {1, 0.78f, 0.34f}}}});
+    EXPECT_FALSE(contains(one_row, "table_range"));
+    EXPECT_TRUE(contains(one_row, "`fresnel lut schlick --fix f0=1,0.78,0.34 --map cos` bakes it"));
+    EXPECT_FALSE(contains(text({"f82"}), "table_range"));
+}
+
+TEST_F(techniques, a_name_of_the_program_is_not_taken_twice) {
+    if (!has_command("glslangValidator")) GTEST_SKIP() << "skipped: no glslangValidator";
+    for (const std::string name :
+         {"environment", "main", "F", "f0", "incidence_cosine", "world_normal", "mix"}) {
+        const auto text = [&](std::string_view dialect, stage s) {
+            return emit::technique_text(emit::find_dialect(dialect), emit::find_technique("per-pixel"),
+                                        {"schlick", {}, name}, s, "technique_test");
+        };
+        write(name + ".frag", text("glsl", stage::fragment));
+        EXPECT_EQ(complaints("glslangValidator " + name + ".frag"), "");
+        write("p.hlsl", text("hlsl", stage::both));
+        EXPECT_EQ(complaints("glslangValidator -D -V -S frag -e fragment_main -o f.spv p.hlsl"), "");
+    }
+}
+
+class technique_command : public command_test {};
+
+TEST_F(technique_command, prints_one_stage_or_both) {
+    const std::string both = run("shader schlick --technique per-pixel").out;
+    EXPECT_TRUE(contains(both, "vertex stage"));
+    EXPECT_TRUE(contains(both, "fragment stage"));
+    const std::string vertex = run("shader schlick --technique per-pixel --stage vertex").out;
+    EXPECT_EQ(vertex.rfind("#version 330 core\n", 0), 0u);
+    EXPECT_TRUE(contains(vertex, "gl_Position"));
+    EXPECT_TRUE(contains(run("shader schlick --technique lut --lang cg").out, "tex2D(fresnel_table"));
+}
+
+TEST_F(technique_command, bad_input_is_refused) {
+    expect_refused("shader schlick --technique per-pixle",
+                   {"--technique", "per-pixle", "per-pixel", "one-minus-cos", "lut"});
+    expect_refused("shader schlick --technique lut --stage geometry",
+                   {"--stage", "geometry", "vertex", "fragment"});
+    expect_refused("shader schlick --stage vertex", {"--stage", "--technique"});
+    expect_refused("shader schlick --technique lut --lang osl", {"--lang", "osl", "glsl", "wgsl"});
+    expect_refused("shader schlick --technique lut --lang hlls", {"--lang", "hlls", "hlsl"});
+    expect_refused("shader schlick dielectric --technique lut", {"--technique", "one MODEL"});
+    expect_refused("shader --technique lut", {"MODEL"});
+    expect_refused("shader schlik --technique lut", {"schlik", "schlick"});
+    expect_refused("shader schlick --technique lut --fix f1=2", {"f1", "f0"});
+    expect_refused("shader schlick --technique per-pixel --fix f0=2", {"f0", "2", "1"});
+}
+
+} // namespace fresnel::test
