@@ -37,7 +37,8 @@ class Columns:
 
 
 def sockets(node):
-    return {socket.identifier: socket for socket in node.inputs}
+    """By the names of the parameters; one that is the name of the function too has an underscore."""
+    return {socket.identifier.rstrip("_"): socket for socket in node.inputs}
 
 
 def rows_of(folder, case):

@@ -3,6 +3,7 @@
 
 #include "emit/library.hpp"
 #include "emit/pack.hpp"
+#include "emit/packs/label.hpp"
 
 #include <fmt/format.h>
 
@@ -28,21 +29,10 @@ bool has_channels(const model_row<double>& row) {
     return false;
 }
 
-std::string label(std::string_view name) {
-    if (name == "n_i") return "IOR in front";
-    if (name == "n_t") return "IOR behind";
-    if (name == "k_t") return "Extinction";
-    if (name == "n") return "IOR";
-    if (name == "k") return "Extinction";
-    if (name == "eta") return "Relative IOR";
-    if (name == "f0") return "F0";
-    if (name == "f82") return "F82";
-    if (name == "f90") return "F90";
-    if (name == "r") return "Reflectivity";
-    if (name == "g") return "Edge Tint";
-    std::string text(name);
-    text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-    return text;
+// A parameter hides the function whose name it has.
+std::string argument_name(const language& l, const model_row<double>& row, const parameter& p) {
+    const std::string name = legal_name(l, p.name);
+    return name == legal_name(l, row.name) ? name + "_" : name;
 }
 
 std::string declared(const language& l, const model_row<double>& row, const parameter& p) {
@@ -53,14 +43,15 @@ std::string declared(const language& l, const model_row<double>& row, const para
                                                            : "vector";
     return fmt::format(
         "    {} {} = {}\n        [[ string label = \"{}\", float min = {}, float max = {} ]],\n", type,
-        legal_name(l, p.name),
-        kind == socket::number ? value : fmt::format("{0}({1}, {1}, {1})", type, value), label(p.name),
-        literal(l, static_cast<float>(p.min)), literal(l, static_cast<float>(p.max)));
+        argument_name(l, row, p),
+        kind == socket::number ? value : fmt::format("{0}({1}, {1}, {1})", type, value),
+        parameter_label(p.name), literal(l, static_cast<float>(p.min)),
+        literal(l, static_cast<float>(p.max)));
 }
 
 // A socket's value as an argument of the function.
 std::string passed(const language& l, const model_row<double>& row, const parameter& p) {
-    const std::string name = legal_name(l, p.name);
+    const std::string name = argument_name(l, row, p);
     const bool wide = has_channels(row) && p.name != "n_i";
     if (wide && socket_of(row, p) == socket::triple)
         return fmt::format("color({0}[0], {0}[1], {0}[2])", name);
@@ -131,7 +122,7 @@ their ranges the models are not defined.
     for (const model_row<double>& row : model_table<double>()) {
         std::vector<std::string> sockets;
         for (const parameter& p : row.parameters)
-            sockets.push_back(label(p.name));
+            sockets.push_back(parameter_label(p.name));
         text += fmt::format("| `fresnel_{}.osl` | {} | {} | {} |\n", row.name, fmt::join(sockets, ", "),
                             row.summary, row.citation);
     }

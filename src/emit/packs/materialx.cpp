@@ -1,13 +1,12 @@
 // MaterialX: a data library with a node for every model. A node's reflectance is source text in GLSL, which every
 // hardware target of MaterialX inherits, and in OSL; the angle between normal and view is put before it by a graph.
 
-#include "analysis/curve.hpp"
+#include "emit/packs/materialx.hpp"
 #include "emit/library.hpp"
 #include "emit/pack.hpp"
+#include "emit/packs/label.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
 
 namespace fresnel::emit {
 
@@ -34,17 +33,6 @@ struct node {
     std::string function() const { return fmt::format("mx_{}_{}", category, suffix); }
 };
 
-std::string escaped(std::string_view text) {
-    std::string xml;
-    for (const char c : text)
-        xml += c == '&'   ? "&amp;"
-               : c == '<' ? "&lt;"
-               : c == '>' ? "&gt;"
-               : c == '"' ? "&quot;"
-                          : std::string(1, c);
-    return xml;
-}
-
 // ---- what stands in a definition --------------------------------------------------------------------------
 
 std::string values(double x, int width) {
@@ -63,18 +51,18 @@ port port_of(const parameter& p, int width) {
     return {std::string(p.name), width,
             fmt::format(R"(value="{}" uimin="{}" uimax="{}" uisoftmax="{}" uiname="{}" doc="{}")",
                         values(p.default_value, width), values(p.min, width), values(p.max, width),
-                        values(slider_end(p), width), p.name, escaped(p.meaning))};
+                        values(slider_end(p), width), parameter_label(p.name), xml_escaped(p.meaning))};
 }
 
 port cosine_port() {
-    return {"cos_i", 1, R"(value="1" uimin="0" uimax="1" uiname="cos_i" doc="Cosine of incidence")"};
+    return {"cos_i", 1, R"(value="1" uimin="0" uimax="1" uiname="Cosine" doc="Cosine of incidence")"};
 }
 
 std::vector<port> direction_ports() {
     return {
-        {"normal", 3, R"(defaultgeomprop="Nworld" uiname="normal" doc="Unit normal")"},
+        {"normal", 3, R"(defaultgeomprop="Nworld" uiname="Normal" doc="Unit normal")"},
         {"viewdirection", 3,
-         R"(defaultgeomprop="Vworld" uiname="viewdirection" doc="Unit direction from the eye to the surface")"}};
+         R"(defaultgeomprop="Vworld" uiname="View Direction" doc="Unit direction from the eye to the surface")"}};
 }
 
 std::string_view type_of(const port& p, std::string_view triple = "color3") {
@@ -86,7 +74,7 @@ std::string definition_text(const node& n) {
     std::string text = fmt::format(
         "  <nodedef name=\"{}\" node=\"{}\" nodegroup=\"math\" version=\"{}\" isdefaultversion=\"true\" "
         "doc=\"{}\">\n",
-        n.definition(), n.category, FRESNEL_VERSION, escaped(n.doc));
+        n.definition(), n.category, FRESNEL_VERSION, xml_escaped(n.doc));
     for (const port& p : n.inputs)
         text += fmt::format("    <input name=\"{}\" type=\"{}\" {} />\n", p.name, type_of(p), p.attributes);
     for (const port& p : n.outputs)
@@ -141,16 +129,6 @@ node cosine_node() {
         "mx_fresnel_cosine"};
 }
 
-// Angles and indices around the models: the functions of numbers alone.
-std::vector<function> helpers() {
-    std::vector<function> found;
-    for (const function& f : record_geometry())
-        if (std::all_of(f.arguments.begin(), f.arguments.end(),
-                        [](const argument& a) { return a.width == 1; }))
-            found.push_back(f);
-    return found;
-}
-
 node helper_node(const function& f) {
     std::vector<port> inputs;
     for (const argument& a : f.arguments) {
@@ -160,7 +138,7 @@ node helper_node(const function& f) {
             inputs.push_back(port_of(row::f0, 1));
         else
             inputs.push_back({a.name, 1,
-                              R"(value="1.5" uimin="0.001" uimax="1000" uisoftmax="5" uiname="eta" )"
+                              R"(value="1.5" uimin="0.001" uimax="1000" uisoftmax="5" uiname="Relative IOR" )"
                               R"(doc="Relative index of refraction, n_t / n_i")"});
     }
     const std::string name = prefixed(f.name);
@@ -289,7 +267,7 @@ std::vector<node> source_nodes() {
     for (const model_row<double>& row : model_table<double>())
         for (node& n : nodes_of(row))
             nodes.push_back(std::move(n));
-    for (const function& f : helpers())
+    for (const function& f : materialx_functions())
         nodes.push_back(helper_node(f));
     return nodes;
 }
@@ -328,82 +306,13 @@ std::string implementations_document(const target& t, const std::vector<node>& n
     return document(fmt::format("implementations in {}", t.l.title), text);
 }
 
-// What a user's document looks like: a measured metal, by its colours at two angles.
-std::string example() {
-    const normal_colour copper = colour_at_normal(load_material("copper"), color_space::srgb, 1);
-    const auto triple = [](const rgb& c) { return fmt::format("{:.4g}, {:.4g}, {:.4g}", c[0], c[1], c[2]); };
-    return fmt::format(R"(<?xml version="1.0"?>
-<materialx version="1.39" colorspace="lin_rec709">
-  <!-- The reflectance of copper as a colour that depends on the angle, shown unlit.
-       n and k: {0} -->
-  <fresnel_f82_tint name="reflectance" type="color3">
-    <input name="f0" type="color3" value="{1}" />
-    <input name="tint" type="color3" value="{2}" />
-  </fresnel_f82_tint>
-  <surface_unlit name="shader" type="surfaceshader">
-    <input name="emission_color" type="color3" nodename="reflectance" />
-  </surface_unlit>
-  <surfacematerial name="copper" type="material">
-    <input name="surfaceshader" type="surfaceshader" nodename="shader" />
-  </surfacematerial>
-</materialx>
-)",
-                       escaped(copper.page), triple(copper.f0), triple(copper.f82_tint));
-}
-
-std::string readme() {
-    std::string text = fmt::format("# Fresnel nodes for MaterialX, version {}\n", FRESNEL_VERSION);
-    text += R"(
-A data library for MaterialX 1.39: a node for every Fresnel model of `fresnel`, for numbers (`float`) and for colours
-(`color3`, whose channels share the angle), with source text in GLSL and in OSL. MaterialX's GLSL, ESSL, Vulkan, WGSL,
-MSL and Slang targets all use the GLSL text. There is none for MDL.
-
-## Use
-
-Copy `libraries/fresnel` into the `libraries` folder of MaterialX, or add the folder that holds `libraries` to
-`MATERIALX_SEARCH_PATH`. Then use the nodes as any other, as in `examples/copper.mtlx`:
-
-    <fresnel_f82_tint name="reflectance" type="color3">
-      <input name="f0" type="color3" value="0.93, 0.62, 0.52" />
-    </fresnel_f82_tint>
-
-- `fresnel_MODEL` takes `normal` and `viewdirection`, which are the shaded point's own where nothing is connected.
-  `viewdirection` points from the eye to the surface, as everywhere in MaterialX.
-- `fresnel_MODEL_cos` takes `cos_i`, the cosine of incidence, from `fresnel_cosine` or from you.
-- `fresnel_MODEL_boundary`, of the exact models, has four outputs: reflectance and transmittance of both polarisations.
-- Seen from behind, the cosine is 0. From inside a transparent medium swap `n_i` and `n_t`.
-
-Indices of colour nodes are colours, as in MaterialX's own `conductor_bsdf`. Inputs are not clamped: the ranges are those
-of the sliders, and outside them the models are not defined.
-
-## Nodes
-
-| node | inputs | what it is | equation |
-|---|---|---|---|
-)";
-    for (const model_row<double>& row : model_table<double>()) {
-        std::vector<std::string_view> names;
-        for (const parameter& p : row.parameters)
-            names.push_back(p.name);
-        std::string equation(row.equation);
-        for (std::size_t at = 0; (at = equation.find('|', at)) != std::string::npos; at += 2)
-            equation.insert(at, 1, '\\');
-        text += fmt::format("| `fresnel_{}` | {} | {} | {} |\n", row.name, fmt::join(names, ", "),
-                            row.summary, equation);
-    }
-    for (const function& f : helpers())
-        text += fmt::format("| `fresnel_{}` | {} | {} | {} |\n", f.name, f.arguments.front().name,
-                            f.comment.front(), f.comment.size() > 2 ? f.comment[2].substr(2) : "");
-    return text;
-}
-
 } // namespace
 
 std::vector<pack_file> materialx_pack() {
     const std::vector<node> nodes = source_nodes();
     std::vector<pack_file> files = {
-        {"materialx/README.md", readme()},
-        {"materialx/examples/copper.mtlx", example()},
+        {"materialx/README.md", materialx_readme()},
+        {"materialx/examples/copper.mtlx", materialx_example()},
         {fmt::format("{}fresnel_defs.mtlx", root), definitions_document(nodes)},
         {fmt::format("{}fresnel_ng.mtlx", root), graphs_document(nodes)},
     };
@@ -412,7 +321,7 @@ std::vector<pack_file> materialx_pack() {
             {fmt::format("{0}{1}/fresnel_{1}_impl.mtlx", root, t.id), implementations_document(t, nodes)});
         files.push_back({source_path(t, "lib/fresnel_boundary"), boundary_type(t.l)});
         files.push_back({source_path(t, "mx_fresnel_cosine"), cosine_source(t)});
-        for (const function& f : helpers())
+        for (const function& f : materialx_functions())
             files.push_back({source_path(t, helper_node(f).file), helper_source(t, f)});
         for (const model_row<double>& row : model_table<double>())
             add_model_sources(t, row, files);
