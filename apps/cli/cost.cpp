@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <sstream>
 #include <unistd.h>
 
 namespace fresnel::cli {
@@ -20,7 +22,7 @@ using emit::shader_stage;
 constexpr std::array all_stages = {shader_stage::fragment, shader_stage::vertex, shader_stage::compute};
 
 struct options {
-    std::vector<std::string> models;
+    std::vector<std::string> models, program;
     std::string gpu, stage;
     bool isa = false, recorded = false, json = false, csv = false;
     std::vector<std::string> gpus, stages; ///< the two as lists
@@ -130,7 +132,28 @@ std::vector<cost_row> recorded_rows(const options& given) {
     return rows;
 }
 
+std::string text_of_file(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    if (!file || text.str().empty()) throw bad_input(fmt::format("--program '{}': cannot be read", path));
+    return text.str();
+}
+
+std::vector<cost_row> program_rows(const options& given) {
+    constexpr int attributes = 8; // as many as OpenGL's oldest shaders were used with
+    const emit::shader_program program{{{shader_stage::vertex, text_of_file(given.program[0])},
+                                        {shader_stage::fragment, text_of_file(given.program[1])}},
+                                       attributes};
+    std::vector<cost_row> rows;
+    for (const cost_row& row : emit::measure_program(given.program[1], program, given.gpus))
+        if (holds(given.stages, row.stage)) rows.push_back(row);
+    return rows;
+}
+
 void check(const options& given) {
+    if (!given.program.empty() && (!given.models.empty() || given.isa || given.recorded))
+        throw bad_input("--program: takes no MODEL, no --isa and no --recorded");
     for (const std::string& model : given.models)
         find_model<double>(model);
     check_names("--gpu", given.gpus, names_of_gpus(given.recorded));
@@ -144,18 +167,19 @@ void check(const options& given) {
 void run(options given) {
     given.gpus = split(given.gpu), given.stages = split(given.stage);
     check(given);
-    if (given.stages.empty() && !given.recorded) given.stages = {"fragment"};
+    if (given.stages.empty() && given.program.empty() && !given.recorded) given.stages = {"fragment"};
     if (given.gpus.empty() && !given.recorded)
         given.gpus = given.isa ? std::vector<std::string>{"navi21"}
                                : std::vector<std::string>{"polaris10", "navi21", "gfx1100"};
     if (given.isa) return print_listings(given);
-    if (given.models.empty() && !given.recorded) {
+    if (given.models.empty() && given.program.empty() && !given.recorded) {
         given.models = names_of_models();
         if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "cost: every model, some seconds\n");
     }
     const std::vector<cost_row> rows =
-        given.recorded ? recorded_rows(given)
-                       : emit::measure_cost_rows(given.models, given.gpus, chosen_stages(given));
+        given.recorded           ? recorded_rows(given)
+        : !given.program.empty() ? program_rows(given)
+                                 : emit::measure_cost_rows(given.models, given.gpus, chosen_stages(given));
     if (given.csv) return fmt::print("{}", to_csv(rows));
     if (!given.json) return print(rows);
     nlohmann::json list = nlohmann::json::array();
@@ -173,6 +197,7 @@ void add_cost(CLI::App& app) {
         "  fresnel cost conductor --gpu navi21,gfx1100 --stage vertex,fragment\n"
         "  fresnel cost powers_4_8 --isa                    the listing of one evaluation\n"
         "  fresnel cost --json                              every model\n"
+        "  fresnel cost --program a.vert a.frag             what a program of yours costs\n"
         "  fresnel cost --recorded --gpu sm_86              the table that was measured before\n\n"
         "What one more evaluation adds to a shader, by Mesa's compiler for AMD: 16 evaluations on inputs of\n"
         "their own, less a shader that only reads those inputs, by 16. Latency and inverse throughput are\n"
@@ -184,6 +209,11 @@ void add_cost(CLI::App& app) {
         ->type_name("NAME,…");
     command->add_option("--stage", given->stage, "fragment (the default), vertex or compute")
         ->type_name("NAME,…");
+    command
+        ->add_option("--program", given->program,
+                     "a GLSL program of your own, written for OpenGL or Vulkan: what all of each stage costs")
+        ->type_name("VERTEX FRAGMENT")
+        ->expected(2);
     command->add_flag("--isa", given->isa, "print the instructions of one evaluation");
     command->add_flag("--recorded", given->recorded,
                       "print the table of this version, other compilers' rows too");

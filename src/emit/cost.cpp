@@ -152,4 +152,17 @@ std::vector<cost_row> measure_cost_rows(std::span<const std::string> models,
     return rows;
 }
 
+std::vector<cost_row> measure_program(const std::string& name, const shader_program& program,
+                                      std::span<const std::string> gpus) {
+    std::vector<cost_row> rows;
+    for (const std::string& gpu : gpus) {
+        const compilation made = compile_for(gpu, {&program, 1});
+        for (const auto& [stage, shader] : made.programs.front())
+            rows.push_back({name, gpu, std::string(to_string(stage)), "", shader["Instructions"],
+                            shader["Latency"], shader["Inverse Throughput"], shader["Pre-Sched VGPRs"],
+                            "RADV", made.driver});
+    }
+    return rows;
+}
+
 } // namespace fresnel::emit

@@ -46,4 +46,9 @@ std::vector<cost_row> measure_cost_rows(std::span<const std::string> models,
                                         std::span<const std::string> gpus,
                                         std::span<const shader_stage> stages);
 
+/// What the stages of a whole program cost, all of it: rows with `name` for the model. The program may be written for
+/// OpenGL: its uniforms, textures, attributes and what the stages share find their places by themselves.
+std::vector<cost_row> measure_program(const std::string& name, const shader_program& program,
+                                      std::span<const std::string> gpus);
+
 } // namespace fresnel::emit
