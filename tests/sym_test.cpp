@@ -199,18 +199,39 @@ TEST(sym, a_hundred_thousand_nodes_deep_is_printed_without_recursion) {
     EXPECT_NE(text.find("s_99999 ="), std::string::npos);
 }
 
-TEST(sym, a_branch_that_repeats_its_own_comparison_is_shortened) {
+// A function of x, simplified: its text after "return ", and its value at -1, 0 and 4.
+void expect_simplified(const std::function<sym(sym)>& body, const std::string& text,
+                       std::array<float, 3> values) {
     function f;
     f.name = "guarded", f.arguments = {{"x", 1, ""}};
     const recording scope(f.graph);
-    const sym x = f.graph.input("x");
-    f.results = {{"R", select(x <= 0, sym(0), sqrt(select(x <= 0, sym(1), x))).node()}};
+    f.results = {{"R", body(f.graph.input("x")).node()}};
     emit::simplify(f);
-    EXPECT_NE(emit::print(emit::find_language("glsl"), f).find("return x <= 0.0 ? 0.0 : sqrt(x);"),
-              std::string::npos)
-        << emit::print(emit::find_language("glsl"), f);
+    const std::string printed = emit::print(emit::find_language("glsl"), f);
+    EXPECT_NE(printed.find("return " + text + ";"), std::string::npos) << printed;
+    std::size_t i = 0;
     for (const float at : {-1.0f, 0.0f, 4.0f})
-        EXPECT_EQ((interpreter(f, {{"x", at}})[f.results[0].node]), at > 0 ? std::sqrt(at) : 0.0f);
+        EXPECT_EQ((interpreter(f, {{"x", at}})[f.results[0].node]), values[i++]) << printed << at;
+}
+
+TEST(sym, a_branch_that_repeats_its_own_comparison_is_shortened) {
+    expect_simplified([](sym x) { return select(x <= 0, sym(2), sqrt(select(x <= 0, sym(1), x))); },
+                      "x <= 0.0 ? 2.0 : sqrt(x)", {2, 2, 2});
+}
+
+TEST(sym, a_guarded_root_is_the_root_of_a_maximum) {
+    expect_simplified([](sym x) { return select(x <= 0, sym(0), sqrt(select(x <= 0, sym(1), x))); },
+                      "sqrt(max(x, 0.0))", {0, 0, 2});
+    expect_simplified([](sym x) { return select(x <= 1, sym(0), sqrt(x)); }, "x <= 1.0 ? 0.0 : sqrt(x)",
+                      {0, 0, 2});
+}
+
+TEST(sym, choices_with_a_constant_are_made_once_at_the_end) {
+    expect_simplified([](sym x) { return select(x <= 0, sym(1), x * 3) + select(x <= 0, sym(2), x / 3) * 2; },
+                      "x <= 0.0 ? 5.0 : x * 3.0 + x / 3.0 * 2.0", {5, 5, 12 + 4.0f / 3 * 2});
+    // made outside, this one would be made twice
+    expect_simplified([](sym x) { return select(x <= 0, sym(1), x) * x; }, "(x <= 0.0 ? 1.0 : x) * x",
+                      {-1, 0, 16});
 }
 
 // ---- text -------------------------------------------------------------------------------------------------

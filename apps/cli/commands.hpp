@@ -26,6 +26,7 @@ void add_plot(CLI::App& app);
 void add_shader(CLI::App& app);
 void add_lut(CLI::App& app);
 void add_conform(CLI::App& app);
+void add_cost(CLI::App& app);
 
 /// A command with its one-line description and the examples that end its help.
 CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& description,

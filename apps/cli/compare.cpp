@@ -1,6 +1,7 @@
 #include "colour_options.hpp"
 #include "commands.hpp"
 
+#include "analysis/cost_table.hpp"
 #include "analysis/report.hpp"
 #include "figure/page.hpp"
 
@@ -24,16 +25,19 @@ void print_rank(const model_fit& m, bool recommended) {
     const auto three = [](const std::array<double, 3>& v) {
         return fmt::format("{:.4f} {:.4f} {:.4f}", v[0], v[1], v[2]);
     };
-    fmt::print("{:>4} {:<20} {:>22} {:>22} {:>8.2f} {:>6} {}\n", m.rank, m.name, three(m.error.max),
-               three(m.error.cosine), m.error.delta_e_max, m.cost, recommended ? "<- use this" : "");
+    const cost_row* cost = find_cost(m.name);
+    fmt::print("{:>4} {:<20} {:>22} {:>22} {:>8.2f} {:>6} {:>6} {}\n", m.rank, m.name, three(m.error.max),
+               three(m.error.cosine), m.error.delta_e_max, m.cost,
+               cost == nullptr ? "" : fmt::format("{:.0f}", cost->instructions),
+               recommended ? "<- use this" : "");
 }
 
 void print(const comparison& result) {
     const normal_colour& c = result.colour;
     fmt::print("{}  F0 {:.4f} {:.4f} {:.4f}  {}\n{}\n\n", c.material, c.f0[0], c.f0[1], c.f0[2], c.page,
                verdict(result));
-    fmt::print("{:>4} {:<20} {:>22} {:>22} {:>8} {:>6}\n", "rank", "model", "max error r g b",
-               "cosine error r g b", "delta E", "cost");
+    fmt::print("{:>4} {:<20} {:>22} {:>22} {:>8} {:>6} {:>6}\n", "rank", "model", "max error r g b",
+               "cosine error r g b", "delta E", "cost", "instr");
     for (const model_fit& m : result.models)
         print_rank(m, &m == &result.best_choice());
     fmt::print("{}, ambient {}\n\n", c.recipe, c.ambient);
@@ -73,13 +77,14 @@ void run(const options& given) {
 } // namespace
 
 void add_compare(CLI::App& app) {
-    CLI::App* command =
-        add_command(app, "compare", "Which approximation to use for a material, and what it loses",
-                    "  fresnel compare copper\n"
-                    "  fresnel compare copper gold n-bk7 --out out     a report with figures\n"
-                    "  fresnel compare gold --space acescg --json\n"
-                    "  fresnel compare water --ambient 1.5\n\n"
-                    "cost is in operations, all three channels; delta E is CIEDE2000 at the worst angle.");
+    CLI::App* command = add_command(
+        app, "compare", "Which approximation to use for a material, and what it loses",
+        "  fresnel compare copper\n"
+        "  fresnel compare copper gold n-bk7 --out out     a report with figures\n"
+        "  fresnel compare gold --space acescg --json\n"
+        "  fresnel compare water --ambient 1.5\n\n"
+        "cost is in operations, all three channels; instr in instructions of one channel on AMD's navi21\n"
+        "(`fresnel cost`); delta E is CIEDE2000 at the worst angle.");
     const auto given = std::make_shared<options>();
     command->add_option("NAME", given->names, "materials, see `fresnel materials`")->required();
     add_colour_options(*command, given->colour);

@@ -57,6 +57,7 @@ void build(CLI::App& app) {
     add_shader(app);
     add_lut(app);
     add_conform(app);
+    add_cost(app);
 }
 
 // A misspelt command is told apart from a misspelt option, so that the nearest command can be named.

@@ -1,5 +1,6 @@
 #include "commands.hpp"
 
+#include "analysis/cost_table.hpp"
 #include "analysis/model_table.hpp"
 #include "analysis/prove.hpp"
 
@@ -8,6 +9,14 @@
 namespace fresnel::cli {
 
 namespace {
+
+nlohmann::json costs_json(std::string_view model) {
+    nlohmann::json costs = nlohmann::json::array();
+    for (const cost_row& row : cost_table())
+        if (row.model == model && row.n_i != "free" && row.stage == "fragment")
+            costs.push_back({{"gpu", row.gpu}, {"instructions", row.instructions}, {"tool", row.tool}});
+    return costs;
+}
 
 nlohmann::json to_json(const model_row<double>& row) {
     nlohmann::json parameters = nlohmann::json::array();
@@ -25,7 +34,8 @@ nlohmann::json to_json(const model_row<double>& row) {
             {"citation", row.citation},
             {"domain", row.domain},
             {"error", {{"max", row.error.max}, {"over", row.error.over}, {"basis", "measured"}}},
-            {"operations", count.cost()}};
+            {"operations", count.cost()},
+            {"cost", costs_json(row.name)}};
 }
 
 std::string parameter_names(const model_row<double>& row) {
@@ -33,6 +43,16 @@ std::string parameter_names(const model_row<double>& row) {
     for (const parameter& p : row.parameters)
         names += fmt::format("{}{}", names.empty() ? "" : ", ", p.name);
     return names;
+}
+
+// "; 6 instructions on navi21, 6 on gfx1100" where it was measured
+std::string measured_cost(std::string_view model) {
+    std::string text;
+    for (const char* gpu : {"navi21", "gfx1100", "polaris10"})
+        if (const cost_row* cost = find_cost(model, gpu))
+            text += fmt::format("{} {:.0f}{} on {}", text.empty() ? ";" : ",", cost->instructions,
+                                text.empty() ? " instructions" : "", gpu);
+    return text;
 }
 
 void print_one(const model_row<double>& row) {
@@ -43,7 +63,7 @@ void print_one(const model_row<double>& row) {
     fmt::print("  error   {:.3g}, {} ({})\n", row.error.max, row.error.over,
                can_prove(row.error.over) ? "certified by `fresnel prove`" : "measured");
     fmt::print("  domain  {}\n", row.domain);
-    fmt::print("  cost    {} operations\n", count_operations(row.name).cost());
+    fmt::print("  cost    {} operations{}\n", count_operations(row.name).cost(), measured_cost(row.name));
     fmt::print("  source  {}\n", row.citation);
 }
 

@@ -1,5 +1,8 @@
 #include "analysis/compare.hpp"
 
+#include "analysis/cost_table.hpp"
+#include "analysis/pareto.hpp"
+
 #include "materials/observer.hpp"
 
 #include <fmt/format.h>
@@ -185,6 +188,22 @@ std::string verdict(const comparison& result) {
     return text;
 }
 
+namespace {
+
+nlohmann::json cost_json(const comparison& all, const model_fit& m) {
+    const cost_row* cost = find_cost(m.name);
+    if (cost == nullptr) return {};
+    return {{"gpu", cost->gpu},
+            {"stage", cost->stage},
+            {"instructions", cost->instructions},
+            {"latency", cost->latency},
+            {"inverse_throughput", cost->inverse_throughput},
+            {"registers", cost->registers},
+            {"on_frontier", on_frontier(all, m)}};
+}
+
+} // namespace
+
 nlohmann::json to_json(const comparison& result) {
     nlohmann::json models = nlohmann::json::array();
     for (const model_fit& m : result.models) {
@@ -201,7 +220,8 @@ nlohmann::json to_json(const comparison& result) {
                               {"cosine_error", m.error.cosine},
                               {"delta_e_max", m.error.delta_e_max},
                               {"delta_e_theta", m.error.delta_e_theta},
-                              {"operations", m.cost}};
+                              {"operations", m.cost},
+                              {"cost", cost_json(result, m)}};
         if (m.least_squares)
             one["least_squares"] = {{"f82", m.least_squares->f82}, {"rms_error", m.least_squares->rms}};
         models.push_back(std::move(one));

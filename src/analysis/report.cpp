@@ -1,6 +1,8 @@
 #include "analysis/report.hpp"
 
+#include "analysis/cost_table.hpp"
 #include "analysis/drawing.hpp"
+#include "analysis/pareto.hpp"
 #include "figure/figure.hpp"
 #include "figure/page.hpp"
 #include "materials/observer.hpp"
@@ -121,8 +123,9 @@ figure surface_figure(const report_entry& entry, const std::string& name) {
 
 std::vector<figure> figures_of(const report_entry& entry) {
     const std::string name = slug(entry.substance.name);
-    return {curves_figure(entry, name), errors_figure(entry, name), strips_figure(entry, name),
-            surface_figure(entry, name)};
+    return {curves_figure(entry, name), errors_figure(entry, name),
+            pareto_figure(entry.result, name + "-cost", entry.substance.name + ": error against cost"),
+            strips_figure(entry, name), surface_figure(entry, name)};
 }
 
 // ---- the page ---------------------------------------------------------------------------------------------
@@ -154,17 +157,22 @@ std::string parameter_text(const model_fit& m) {
     return text;
 }
 
+std::string instructions_text(const model_fit& m) {
+    const cost_row* cost = find_cost(m.name);
+    return cost == nullptr ? "–" : fmt::format("{:.0f}", cost->instructions);
+}
+
 std::string model_table_html(const comparison& r) {
     std::string rows;
     for (const model_fit& m : r.models)
-        rows += fmt::format(
-            "<tr{}><td>{}</td><td class=\"left\">{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
-            "<td>{:.2f}</td><td class=\"wrap\">{}</td></tr>\n",
-            &m == &r.best_choice() ? " class=\"chosen\"" : "", m.rank, m.name, m.cost, three(m.error.max, 4),
-            three(m.error.rms, 4), three(m.error.cosine, 4), m.error.delta_e_max,
-            markup_text(parameter_text(m)));
+        rows += fmt::format("<tr{}><td>{}</td><td "
+                            "class=\"left\">{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
+                            "<td>{:.2f}</td><td class=\"wrap\">{}</td></tr>\n",
+                            &m == &r.best_choice() ? " class=\"chosen\"" : "", m.rank, m.name, m.cost,
+                            instructions_text(m), three(m.error.max, 4), three(m.error.rms, 4),
+                            three(m.error.cosine, 4), m.error.delta_e_max, markup_text(parameter_text(m)));
     return "<div class=\"scroll\"><table><tr><th>rank</th><th "
-           "class=\"left\">model</th><th>operations</th><th>max error, R G B</th>"
+           "class=\"left\">model</th><th>operations</th><th>instructions</th><th>max error, R G B</th>"
            "<th>RMS over θ</th><th>cosine-weighted</th><th>worst ΔE₀₀</th><th class=\"left\">fitted "
            "parameters, R G B</th></tr>\n" +
            rows + "</table></div>\n";
@@ -217,7 +225,8 @@ std::string page(const std::vector<report_entry>& entries, const std::vector<std
         "over all angles) is at most 1, "
         "which is not seen; if there is none, at most 2; if none, the least. Rank goes by the largest "
         "error of any channel. "
-        "Operations are counted for three channels.</p>\n"
+        "Operations are counted for three channels; instructions are of one channel, by AMD's compiler for "
+        "navi21.</p>\n"
         "<div class=\"scroll\"><table><tr><th class=\"left\">material</th><th class=\"left\">0° to "
         "90°</th><th class=\"left\">use</th><th class=\"left\">because</th></tr>\n" +
             summary + "</table></div>\n" + sections);

@@ -112,75 +112,7 @@ void record_row(const Row& row, function& f, const request& wanted) {
     f.results = {{"R", rgb ? widened(R, 3).node() : R.node()}};
 }
 
-// ---- simplification ---------------------------------------------------------------------------------------
-
-// The nodes behind one node, itself included.
-std::vector<bool> reach(const expression_graph& graph, std::initializer_list<std::uint32_t> roots) {
-    std::vector<bool> reached(graph.size());
-    std::uint32_t last = 0;
-    for (const std::uint32_t root : roots)
-        reached[root] = true, last = std::max(last, root);
-    for (std::uint32_t i = last + 1; i-- > 0;)
-        if (reached[i])
-            for (std::size_t k = 0; k < arity(graph[i].op); ++k)
-                reached[graph[i].operands[k]] = true;
-    return reached;
-}
-
-std::uint32_t rebuilt(expression_graph& graph, std::uint32_t node, const std::vector<std::uint32_t>& now) {
-    const expression x = graph[node];
-    std::array<std::uint32_t, 3> operands = x.operands;
-    bool changed = false;
-    for (std::size_t k = 0; k < arity(x.op); ++k) {
-        operands[k] = now[x.operands[k]];
-        changed = changed || operands[k] != x.operands[k];
-    }
-    if (!changed) return node;
-    const std::uint32_t made = graph.make(x.op, operands);
-    graph.pass_name(node, made);
-    return made;
-}
-
-// `node`, given that the mask holds or does not.
-std::uint32_t assume(expression_graph& graph, std::uint32_t node, std::uint32_t mask, bool holds) {
-    const std::vector<bool> wanted = reach(graph, {node});
-    std::vector<std::uint32_t> now(node + 1);
-    for (std::uint32_t i = 0; i <= node; ++i) {
-        now[i] = i;
-        if (!wanted[i]) continue;
-        const expression x = graph[i];
-        if (x.op == operation::choose && x.operands[0] == mask) {
-            now[i] = now[x.operands[holds ? 1 : 2]];
-            graph.pass_name(i, now[i]);
-        } else {
-            now[i] = rebuilt(graph, i, now);
-        }
-    }
-    return now[node];
-}
-
 } // namespace
-
-void simplify(function& f) {
-    expression_graph& graph = f.graph;
-    const std::size_t size = graph.size();
-    const std::vector<bool> wanted = needed_nodes(f);
-    std::vector<std::uint32_t> now(size);
-    for (std::uint32_t i = 0; i < size; ++i) {
-        now[i] = i;
-        if (!wanted[i]) continue;
-        now[i] = rebuilt(graph, i, now);
-        const expression x = graph[now[i]];
-        if (x.op != operation::choose) continue;
-        const std::uint32_t yes = assume(graph, x.operands[1], x.operands[0], true);
-        const std::uint32_t no = assume(graph, x.operands[2], x.operands[0], false);
-        const std::uint32_t before = now[i];
-        now[i] = graph.make(operation::choose, {x.operands[0], yes, no});
-        graph.pass_name(before, now[i]);
-    }
-    for (result& r : f.results)
-        r.node = now[r.node];
-}
 
 function scalarized(const function& f, std::string (*component)(std::string_view name, int i)) {
     function split;

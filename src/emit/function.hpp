@@ -56,8 +56,11 @@ std::vector<function> record_geometry();
 /// phong_lobe, opacity_fresnel, opacity_silhouette, opacity_attenuation and opacity_total: highlights and thin layers.
 std::vector<function> record_shading();
 
-/// Where a branch of a select repeats the select's own comparison, that inner select is the side it always takes:
-/// m ? a : f(m ? b : c) becomes m ? a : f(c), the same value with less to read and to compute.
+/// The same value with less to read and to compute:
+///   m ? a : f(m ? b : c)       becomes m ? a : f(c)
+///   x <= 0 ? 0 : sqrt(x)       becomes sqrt(max(x, 0))
+///   f(m ? 1 : a, m ? 2 : b)    becomes m ? f(1, 2) : f(a, b) with f(1, 2) a constant, where that is cheaper
+/// Every bit stays for finite x.
 void simplify(function& f);
 
 /// The same function with a node for each component, for languages that cannot compute with three values at once: an

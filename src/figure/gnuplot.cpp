@@ -215,8 +215,8 @@ private:
         if (rows.empty()) return "";
         const std::string title = s.label.empty() ? "notitle" : "title " + quoted(s.label);
         if (s.style == stroke::points)
-            return fmt::format("{} using 1:2 with points pt 7 ps 0.5 lc rgb '{}' {}, ", block(rows), s.color,
-                               title);
+            return fmt::format("{} using 1:2 with points pt 7 ps {} lc rgb '{}' {}, ", block(rows),
+                               s.width / 4, s.color, title);
         const std::string_view dash = s.style == stroke::solid    ? "1"
                                       : s.style == stroke::dashed ? "(9,5)"
                                                                   : "(2.5,4)";

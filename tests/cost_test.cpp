@@ -1,0 +1,233 @@
+#include "command.hpp"
+
+#include "analysis/cost_table.hpp"
+#include "analysis/model_table.hpp"
+#include "emit/cost.hpp"
+#include "error.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace fresnel::test {
+namespace {
+
+using emit::cost_subject;
+using emit::measured_cost;
+using emit::shader_stage;
+
+measured_cost cost_of(const cost_subject& subject, shader_stage stage = shader_stage::fragment) {
+    return emit::measure_costs({&subject, 1}, "navi21", stage).front();
+}
+
+double instructions_of(std::string_view model) { return cost_of(emit::subject_of(model)).instructions; }
+
+cost_subject schlick_with(const std::string& more) {
+    return {"f", 2,
+            "float f(float f0, float c) {\n    float m = 1.0 - c, m2 = m * m;\n    float F = f0 + (1.0 - f0) "
+            "* (m2 * "
+            "m2 * m);\n" +
+                more + "    return F;\n}\n"};
+}
+
+std::string recorded_driver() {
+    for (const cost_row& row : cost_table())
+        if (row.tool == "RADV") return row.version;
+    return "none";
+}
+
+// ---- the table --------------------------------------------------------------------------------------------
+
+class recorded_costs : public testing::TestWithParam<std::pair<const char*, shader_stage>> {};
+
+TEST_P(recorded_costs, are_what_this_machines_compiler_gives) {
+    const auto& [gpu, stage] = GetParam();
+    std::vector<std::string> models;
+    for (const model_row<double>& row : model_table<double>())
+        models.emplace_back(row.name);
+    const std::string name = gpu;
+    const std::vector<cost_row> measured =
+        emit::measure_cost_rows(models, std::span(&name, 1), std::span(&stage, 1));
+    if (measured.front().version != recorded_driver())
+        GTEST_SKIP() << "skipped: data/cost.csv was made with " << recorded_driver() << ", here is "
+                     << measured.front().version;
+    std::vector<cost_row> recorded;
+    for (const cost_row& row : cost_table())
+        if (row.tool == "RADV" && row.gpu == gpu && row.stage == to_string(stage)) recorded.push_back(row);
+    ASSERT_EQ(recorded.size(), measured.size());
+    const auto text = [](const cost_row& row) { return to_csv({&row, 1}).substr(to_csv({}).size()); };
+    for (std::size_t i = 0; i < recorded.size(); ++i)
+        EXPECT_EQ(text(recorded[i]), text(measured[i])) << "scripts/cost radv makes the table anew";
+}
+
+INSTANTIATE_TEST_SUITE_P(devices, recorded_costs,
+                         testing::Values(std::pair{"navi21", shader_stage::fragment},
+                                         std::pair{"navi21", shader_stage::vertex},
+                                         std::pair{"gfx1100", shader_stage::fragment},
+                                         std::pair{"polaris10", shader_stage::compute}),
+                         [](const auto& it) {
+                             return fmt::format("{}_{}", it.param.first, to_string(it.param.second));
+                         });
+
+TEST(cost_table, has_every_model_on_three_devices_and_in_two_stages_apart) {
+    for (const model_row<double>& row : model_table<double>())
+        for (const char* gpu : {"polaris10", "navi21", "gfx1100"})
+            for (const char* stage : {"fragment", "vertex"})
+                EXPECT_NE(find_cost(row.name, gpu, stage), nullptr) << row.name << " " << gpu << " " << stage;
+    EXPECT_EQ(find_cost("schlick", "voodoo"), nullptr);
+}
+
+TEST(cost_table, reads_back_what_it_writes_and_names_the_line_of_what_it_cannot_read) {
+    const std::vector<cost_row> rows = {
+        {"schlick", "sm_86", "compute", "", 6.125, std::nan(""), 0, 12, "nvcc", "13"}};
+    const std::string text = to_csv(rows);
+    EXPECT_NE(text.find("schlick,sm_86,compute,,6.13,,0,12,nvcc,13\n"), std::string::npos) << text;
+    EXPECT_EQ(to_csv(read_costs(text)), text);
+    const auto message = [](const std::string& csv) -> std::string {
+        try {
+            read_costs(csv);
+        } catch (const failure& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(message("# words\nschlick,navi21\n"), "cost table, line 2: has 2 cells, must have 10");
+    EXPECT_EQ(message("a,b,c,,six,,,,d,e\n"), "cost table, line 1: 'six' is not a number");
+}
+
+// ---- the targets ------------------------------------------------------------------------------------------
+
+TEST(cost_targets, of_the_cheapest_arrangements_on_navi21) {
+    EXPECT_LE(instructions_of("schlick"), 7);
+    EXPECT_LE(instructions_of("powers_4_8"), instructions_of("schlick") + 1);
+    EXPECT_LE(instructions_of("dielectric_fast"), 16);
+}
+
+// ---- the method -------------------------------------------------------------------------------------------
+
+TEST(cost_method, one_operation_more_costs_one_instruction_more) {
+    const double plain = cost_of(schlick_with("")).instructions;
+    EXPECT_EQ(plain, instructions_of("schlick"));
+    EXPECT_EQ(cost_of(schlick_with("    F = max(F, c);\n")).instructions, plain + 1);
+    EXPECT_EQ(cost_of(schlick_with("    F = max(F, c);\n    F = sqrt(F);\n")).instructions, plain + 2);
+}
+
+TEST(cost_method, nothing_costs_nothing) {
+    const measured_cost cost = cost_of({"f", 1, "float f(float c) { return c; }\n"});
+    EXPECT_EQ(cost.instructions, 0);
+    EXPECT_EQ(cost.inverse_throughput, 0);
+}
+
+TEST(cost_method, is_linear_in_the_number_of_evaluations) {
+    const std::array models = {"schlick", "dielectric", "conductor", "gulbrandsen", "lazanyi"};
+    std::vector<cost_subject> subjects;
+    for (const char* model : models)
+        subjects.push_back(emit::subject_of(model));
+    for (const shader_stage stage : {shader_stage::fragment, shader_stage::vertex, shader_stage::compute}) {
+        const std::vector<measured_cost> costs = emit::measure_costs(subjects, "navi21", stage);
+        for (std::size_t i = 0; i < costs.size(); ++i)
+            EXPECT_NEAR(costs[i].instructions_8, costs[i].instructions, 0.5)
+                << models[i] << " " << to_string(stage);
+    }
+}
+
+TEST(cost_method, an_ambient_medium_costs_more_than_air) {
+    EXPECT_GT(cost_of(emit::subject_of("dielectric", false)).instructions, instructions_of("dielectric"));
+    EXPECT_EQ(emit::subject_of("dielectric", false).arguments, 3u);
+    EXPECT_EQ(emit::subject_of("dielectric").arguments, 2u);
+}
+
+TEST(cost_method, a_text_that_does_not_compile_is_refused_with_the_compilers_message) {
+    try {
+        cost_of({"f", 1, "float f(float c) { return d; }\n"});
+        FAIL() << "compiled";
+    } catch (const failure& error) {
+        EXPECT_NE(std::string(error.what()).find("'d' : undeclared identifier"), std::string::npos)
+            << error.what();
+    }
+}
+
+// ---- the command ------------------------------------------------------------------------------------------
+
+class cost_command : public command_test {};
+
+TEST_F(cost_command, prints_json_with_the_promised_keys) {
+    const nlohmann::json rows = json("cost schlick dielectric --gpu navi21 --stage vertex,fragment --json");
+    ASSERT_EQ(rows.size(), 6u); // n_i = 1 and n_i free for the second
+    for (const nlohmann::json& row : rows)
+        for (const char* key :
+             {"model", "gpu", "stage", "instructions", "latency", "inverse_throughput", "registers"})
+            EXPECT_TRUE(row.contains(key)) << key;
+    EXPECT_EQ(rows[0]["model"], "schlick");
+    EXPECT_EQ(rows[0]["stage"], "fragment");
+    EXPECT_EQ(rows[0]["n_i"], nullptr);
+    EXPECT_EQ(rows[2]["n_i"], "1");
+    EXPECT_EQ(rows[4]["n_i"], "free");
+}
+
+TEST_F(cost_command, lists_the_instructions_of_one_evaluation) {
+    const outcome result = run("cost dielectric_fast --isa");
+    EXPECT_EQ(result.code, 0) << result.err;
+    for (const char* piece :
+         {"float dielectric_fast(float n_t, float cos_i)", "v_sqrt_f32", "s_endpgm", "navi21"})
+        EXPECT_NE(result.out.find(piece), std::string::npos) << piece;
+}
+
+TEST_F(cost_command, measures_a_program_that_was_written_for_opengl) {
+    write("a.vert", "#version 330\nin vec4 position;\nin vec3 normal;\nuniform mat4 view;\nout vec3 n;\n"
+                    "void main() {\n    n = normal;\n    gl_Position = view * position;\n}\n");
+    const std::string fragment =
+        "#version 330\nin vec3 n;\nuniform samplerCube sky;\nuniform float f0;\nout vec4 "
+        "color;\nvoid main() {\n    color = texture(sky, n)";
+    write("a.frag", fragment + ";\n}\n");
+    write("b.frag", fragment + " * (f0 + n.x * n.x);\n}\n");
+    const auto cost = [&](const std::string& name) {
+        return json("cost --program a.vert " + name +
+                    " --gpu navi21 --stage fragment --json")[0]["instructions"];
+    };
+    EXPECT_GT(cost("a.frag"), 5);
+    EXPECT_GT(cost("b.frag"), cost("a.frag"));
+    expect_refused("cost --program a.vert missing.frag", {"--program 'missing.frag'", "cannot be read"});
+    expect_refused("cost schlick --program a.vert a.frag", {"--program", "no MODEL"});
+    write("c.frag", fragment + "\n}\n");
+    const outcome broken = run("cost --program a.vert c.frag");
+    EXPECT_EQ(broken.code, 1);
+    EXPECT_NE(broken.err.find("fragment shader"), std::string::npos) << broken.err;
+}
+
+TEST_F(cost_command, leaves_no_file_at_home) {
+    EXPECT_EQ(run("cost schlick --gpu navi21", "HOME=$PWD XDG_CACHE_HOME= ").code, 0);
+    EXPECT_TRUE(files().empty());
+}
+
+TEST_F(cost_command, prints_the_recorded_table) {
+    const outcome result = run("cost --recorded --csv");
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(result.out, to_csv(cost_table()));
+    EXPECT_EQ(json("cost --recorded schlick --gpu navi21 --stage fragment --json").size(), 1u);
+}
+
+TEST_F(cost_command, refuses_what_it_does_not_know) {
+    expect_refused("cost --gpu navi31",
+                   {"--gpu 'navi31'", "polaris10, navi21, gfx1100", "did you mean 'navi21'"});
+    expect_refused("cost schlick --gpu navi21,", {"--gpu ''", "polaris10"});
+    expect_refused("cost --stage geometry", {"--stage 'geometry'", "fragment, vertex, compute"});
+    expect_refused("cost schlik", {"'schlik'", "did you mean 'schlick'"});
+    expect_refused("cost --isa", {"--isa", "name one or more models"});
+    expect_refused("cost --json --csv", {"--json and --csv"});
+    expect_refused("cost --recorded --gpu tahiti", {"--gpu 'tahiti'", "navi21"});
+}
+
+TEST_F(cost_command, says_what_is_missing_where_the_driver_is_not_installed) {
+    const outcome result = run("cost schlick", "VK_ICD_FILENAMES=/nowhere/radeon_icd.json ");
+    EXPECT_EQ(result.code, 1);
+    EXPECT_NE(result.err.find("fresnel: cost: the Vulkan driver RADV is not installed"), std::string::npos)
+        << result.err;
+    EXPECT_NE(result.err.find("mesa-vulkan-drivers"), std::string::npos) << result.err;
+}
+
+} // namespace
+} // namespace fresnel::test
