@@ -10,9 +10,9 @@
 // that a change of clock or a busy neighbour meets all of them:
 //   ns_per_value     time of one reflectance
 //   share_of_limit   the limit's time over it. The limit is the largest of: the model's divisions and square roots at
-//                    the instruction set's own rate; its multiplications at theirs; its additions, comparisons and
-//                    selections at that of additions; all these together at that of multiplications and additions in
-//                    turn, exp2 and pow at their own; reading its inputs and writing its output
+//                    the instruction set's own rate; its other operations at the rate of multiplications and additions
+//                    in turn (a multiply-add is two), exp2 and pow at their own; reading its inputs and writing its
+//                    output
 //   share_of_mix     the time of the kernel's own instructions, none of which waits for another, over it: no order of
 //                    them can be faster. More than the limit where the units share what they need, as the divider and
 //                    the multipliers do. Of models of + - * / sqrt, AVX2 and AVX-512, in the first cache
@@ -30,6 +30,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <functional>
@@ -158,7 +159,7 @@ unit_kernels units_of(std::string_view set) {
 /// What one unpolarised reflectance is made of, each operation once however often it is used. A change of sign and a
 /// magnitude are free.
 struct operation_counts {
-    int divisions = 0, roots = 0, multiplications = 0, others = 0, exponentials = 0, powers = 0;
+    int divisions = 0, roots = 0, others = 0, exponentials = 0, powers = 0;
 
     explicit operation_counts(std::string_view model) {
         const emit::function f = emit::record(model);
@@ -176,11 +177,8 @@ private:
         case operation::negate:
         case operation::absolute:
             break;
-        case operation::multiply:
-            ++multiplications;
-            break;
         case operation::divide:
-            ++(by_power_of_two(graph[x.operands[1]]) ? multiplications : divisions);
+            ++(by_power_of_two(graph[x.operands[1]]) ? others : divisions);
             break;
         case operation::square_root:
             ++roots;
@@ -205,24 +203,18 @@ private:
 struct limit {
     static constexpr std::size_t operations =
         13 * 16 * 512; ///< whole rounds of every unit, many for each call
-    static constexpr std::size_t count = 7;
+    static constexpr std::size_t count = 5;
 
     static std::vector<work> works(const unit_kernels& units) {
-        return {[=] { units.division(operations); },
-                [=] { units.root(operations); },
-                [=] { units.multiply(operations); },
-                [=] { units.add(operations); },
-                [=] { units.multiply_and_add(operations); },
-                [=] { units.exp2(operations); },
+        return {[=] { units.division(operations); }, [=] { units.root(operations); },
+                [=] { units.multiply_and_add(operations); }, [=] { units.exp2(operations); },
                 [=] { units.pow(operations); }};
     }
 
     /// Seconds per value from the times of those works.
     static double seconds_per_value(const operation_counts& n, const double* times, double stream) {
         const double divider = n.divisions * times[0] + n.roots * times[1];
-        const double others = std::max({n.multiplications * times[2], n.others * times[3],
-                                        (n.multiplications + n.others) * times[4]}) +
-                              n.exponentials * times[5] + n.powers * times[6];
+        const double others = n.others * times[2] + n.exponentials * times[3] + n.powers * times[4];
         return std::max({divider / operations, others / operations, stream});
     }
 };
@@ -232,7 +224,23 @@ struct limit {
 /// What the summary at the end is made of: counters by benchmark.
 std::map<std::string, std::map<std::string, double>> results;
 
-/// Every counter there is, where a table must have the same columns in every row.
+constexpr std::array every_counter{"ns_per_value",
+                                   "share_of_limit",
+                                   "share_of_mix",
+                                   "times_textbook",
+                                   "times_memo",
+                                   "times_complex_class",
+                                   "ns_division",
+                                   "ns_square_root",
+                                   "ns_multiply_or_add",
+                                   "ns_exp2",
+                                   "ns_pow",
+                                   "milliseconds",
+                                   "fits",
+                                   "gigabytes_per_second_in_cache",
+                                   "gigabytes_per_second_in_memory"};
+
+/// The counters that every row has, 0 where the benchmark has none: all of them in a table, otherwise none.
 std::vector<std::string> columns;
 
 void report(benchmark::State& state, const std::string& name, const work& run,
@@ -341,13 +349,11 @@ void run_units(benchmark::State& state, const std::string& name, const unit_kern
     report(state, name, works[0],
            {{"ns_division", times[0] * each},
             {"ns_square_root", times[1] * each},
-            {"ns_multiplication", times[2] * each},
-            {"ns_addition", times[3] * each},
-            {"ns_multiply_or_add", times[4] * each},
-            {"ns_exp2", times[5] * each},
-            {"ns_pow", times[6] * each},
-            {"gigabytes_per_second_in_cache", bytes * static_cast<double>(small_size) / times[7]},
-            {"gigabytes_per_second_in_memory", bytes * static_cast<double>(large_size) / times[8]}});
+            {"ns_multiply_or_add", times[2] * each},
+            {"ns_exp2", times[3] * each},
+            {"ns_pow", times[4] * each},
+            {"gigabytes_per_second_in_cache", bytes * static_cast<double>(small_size) / times[5]},
+            {"gigabytes_per_second_in_memory", bytes * static_cast<double>(large_size) / times[6]}});
 }
 
 // ---- all of it --------------------------------------------------------------------------------------------
@@ -381,65 +387,51 @@ void add_all() {
 }
 
 /// A goal of the project, at least (milliseconds: at most), and what was measured, where it was.
-void print_goal(const std::string& benchmark, const std::string& counter, double goal) {
+void print_goal(std::FILE* to, const std::string& benchmark, const std::string& counter, double goal) {
     const auto found = results.find(benchmark);
     if (found == results.end() || !found->second.contains(counter)) return;
-    fmt::print("{:<36} {:<20} {:>8.2f} {:>8.2f}\n", benchmark, counter, goal, found->second.at(counter));
+    fmt::print(to, "{:<36} {:<20} {:>8.2f} {:>8.2f}\n", benchmark, counter, goal, found->second.at(counter));
 }
 
-void print_goals() {
+void print_goals(std::FILE* to) {
     if (results.empty()) return;
-    fmt::print("\n{:<36} {:<20} {:>8} {:>8}\n", "benchmark", "counter", "goal", "here");
+    fmt::print(to, "\n{:<36} {:<20} {:>8} {:>8}\n", "benchmark", "counter", "goal", "here");
     for (const std::string set : {"avx512", "avx2"}) {
         for (const batch_model& model : batch_models()) {
             const std::string small = fmt::format("{}/{}/{}", model.name, set, small_size);
             const std::string large = fmt::format("{}/{}/{}", model.name, set, large_size);
-            if (model.name == "conductor") print_goal(small, "share_of_limit", 0.75);
+            if (model.name == "conductor") print_goal(to, small, "share_of_limit", 0.75);
             if (model.name == "conductor_fast" || model.name.starts_with("dielectric"))
-                print_goal(small, "share_of_limit", 0.8);
-            if (operation_counts(model.name).polynomial()) print_goal(small, "share_of_limit", 0.9);
-            print_goal(large, "share_of_limit", 0.85);
+                print_goal(to, small, "share_of_limit", 0.8);
+            if (operation_counts(model.name).polynomial()) print_goal(to, small, "share_of_limit", 0.9);
+            print_goal(to, large, "share_of_limit", 0.85);
         }
         const std::string conductor = fmt::format("conductor/{}/{}", set, small_size);
-        if (set == "avx512") print_goal(conductor, "times_textbook", 80);
-        print_goal(conductor, "times_complex_class", set == "avx512" ? 20 : 12);
-        if (set == "avx512") print_goal("spectral_table/avx512/81x90x3", "times_textbook", 55);
+        if (set == "avx512") print_goal(to, conductor, "times_textbook", 80);
+        print_goal(to, conductor, "times_complex_class", set == "avx512" ? 20 : 12);
+        if (set == "avx512") print_goal(to, "spectral_table/avx512/81x90x3", "times_textbook", 55);
     }
-    print_goal("fits/every_material", "milliseconds", 150);
+    print_goal(to, "fits/every_material", "milliseconds", 150);
 }
 
 } // namespace
 } // namespace fresnel::bench
 
 int main(int argc, char** argv) {
-    using fresnel::bench::columns;
-    fresnel::bench::add_all();
+    using namespace fresnel::bench;
+    add_all();
     // the counters have their own rounds; Google Benchmark's time needs few
     char short_time[] = "--benchmark_min_time=0.01";
     std::vector<char*> arguments(argv, argv + argc);
-    for (const std::string_view argument : arguments)
-        if (argument.ends_with("=csv"))
-            columns = {"ns_per_value",
-                       "share_of_limit",
-                       "share_of_mix",
-                       "times_textbook",
-                       "times_memo",
-                       "times_complex_class",
-                       "ns_division",
-                       "ns_square_root",
-                       "ns_multiplication",
-                       "ns_addition",
-                       "ns_multiply_or_add",
-                       "ns_exp2",
-                       "ns_pow",
-                       "milliseconds",
-                       "fits",
-                       "gigabytes_per_second_in_cache",
-                       "gigabytes_per_second_in_memory"};
+    bool console = true; // otherwise the goals would stand behind the JSON or the table
+    for (const std::string_view argument : arguments) {
+        if (argument.starts_with("--benchmark_format=")) console = argument.ends_with("=console");
+        if (argument.ends_with("=csv")) columns.assign(every_counter.begin(), every_counter.end());
+    }
     arguments.insert(arguments.begin() + 1, short_time);
     int count = static_cast<int>(arguments.size());
     benchmark::Initialize(&count, arguments.data());
     if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
     benchmark::RunSpecifiedBenchmarks();
-    fresnel::bench::print_goals();
+    print_goals(console ? stdout : stderr);
 }

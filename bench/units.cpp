@@ -37,16 +37,6 @@ FRESNEL_INLINE void repeat(std::size_t count, F f) {
         sink = v[0];
 }
 
-[[gnu::flatten]] void multiply(std::size_t count) {
-    const value a = opaque(1.0f);
-    repeat<4>(count, [&](const value& x) { return x * a; });
-}
-
-[[gnu::flatten]] void add(std::size_t count) {
-    const value a = opaque(0.0f);
-    repeat<4>(count, [&](const value& x) { return x + a; });
-}
-
 // two operations a call
 [[gnu::flatten]] void multiply_and_add(std::size_t count) {
     const value a = opaque(0.75f), b = opaque(0.25f);
@@ -210,16 +200,7 @@ constexpr decltype(unit_kernels::mix) mix = nullptr;
 
 unit_kernels FRESNEL_UNITS() {
     using namespace FRESNEL_ISA_NAMESPACE;
-    return {FRESNEL_ISA_LANES,
-            multiply,
-            add,
-            multiply_and_add,
-            division,
-            root,
-            binary_exponential,
-            power,
-            stream,
-            mix};
+    return {FRESNEL_ISA_LANES, multiply_and_add, division, root, binary_exponential, power, stream, mix};
 }
 
 } // namespace fresnel::bench

@@ -10,8 +10,6 @@ namespace fresnel::bench {
 /// Each runs `count` operations on single values, independent of each other, in registers.
 struct unit_kernels {
     int lanes;
-    void (*multiply)(std::size_t count);
-    void (*add)(std::size_t count);
     void (*multiply_and_add)(std::size_t count); ///< alternately * and +
     void (*division)(std::size_t count);
     void (*root)(std::size_t count);
