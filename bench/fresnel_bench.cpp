@@ -13,9 +13,10 @@
 //                    the instruction set's own rate; its other operations at the rate of multiplications and additions
 //                    in turn (a multiply-add is two), exp2 and pow at their own; reading its inputs and writing its
 //                    output
-//   share_of_mix     the time of the kernel's own instructions, none of which waits for another, over it: no order of
-//                    them can be faster. More than the limit where the units share what they need, as the divider and
-//                    the multipliers do. Of models of + - * / sqrt, AVX2 and AVX-512, in the first cache
+//   share_of_mix     the time of the kernel's own instructions when none waits for another's result, over it. More than
+//                    the limit where units share what they need, as the divider and the multipliers may; the compiler
+//                    orders these by itself, so that short models can take less than their mix. Of models of
+//                    + - * / sqrt, AVX2 and AVX-512, in the first cache
 //   times_textbook, times_complex_class, times_memo   how many times the forms of rivals.hpp take
 // One thread throughout; inputs include total internal reflection.
 
