@@ -3,14 +3,20 @@
 //   fresnel_bench                                        everything, which takes minutes
 //   fresnel_bench --benchmark_filter=conductor/          one model
 //   fresnel_bench --benchmark_format=json
+//   fresnel_bench --benchmark_format=csv                 a counter that a benchmark has not is 0
 //
 // A benchmark is MODEL/PATH/SIZE: the model, the instruction set, how many values (1024 lie in the first cache, 2^24 do
 // not lie in any). Its counters are medians of rounds in which the model, what bounds it and its rivals take turns, so
 // that a change of clock or a busy neighbour meets all of them:
 //   ns_per_value     time of one reflectance
 //   share_of_limit   the limit's time over it. The limit is the largest of: the model's divisions and square roots at
-//                    the instruction set's own rate; its other operations at the rate of multiplications and additions,
-//                    exp2 and pow at their own; reading its inputs and writing its output
+//                    the instruction set's own rate; its other operations at the rate of multiplications and additions
+//                    in turn (a multiply-add is two), exp2 and pow at their own; reading its inputs and writing its
+//                    output
+//   share_of_mix     the time of the kernel's own instructions when none waits for another's result, over it. More than
+//                    the limit where units share what they need, as the divider and the multipliers may; the compiler
+//                    orders these by itself, so that short models can take less than their mix. Of models of
+//                    + - * / sqrt, AVX2 and AVX-512, in the first cache
 //   times_textbook, times_complex_class, times_memo   how many times the forms of rivals.hpp take
 // One thread throughout; inputs include total internal reflection.
 
@@ -18,14 +24,16 @@
 #include "rivals.hpp"
 #include "units.hpp"
 
-#include "analysis/model_table.hpp"
 #include "batch/core.hpp"
+#include "emit/function.hpp"
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <new>
@@ -110,21 +118,22 @@ struct inputs {
     std::vector<floats> columns;
     std::vector<batch_argument> parameters;
     std::vector<const float*> arrays; ///< those that are read, cos_i last
+    std::vector<const float*> all;    ///< with one for n_i
 
     inputs(const batch_model& model, std::size_t count) {
         static const float one = 1;
         for (std::size_t i = 0; i < model.parameter_count; ++i) {
             const parameter& p = model.parameters[i];
-            if (p.name == "n_i") {
-                parameters.push_back(batch_argument::same(one));
-                continue;
-            }
-            columns.push_back(random_values(range_of(p), count, static_cast<unsigned>(i)));
-            arrays.push_back(columns.back().data());
-            parameters.push_back(batch_argument::array(arrays.back()));
+            const bool same = p.name == "n_i";
+            columns.push_back(
+                random_values(range_of(p), same ? small_size : count, static_cast<unsigned>(i)));
+            all.push_back(columns.back().data());
+            if (!same) arrays.push_back(all.back());
+            parameters.push_back(same ? batch_argument::same(one) : batch_argument::array(all.back()));
         }
         columns.push_back(random_values({0, 1}, count, 99));
         arrays.push_back(columns.back().data());
+        all.push_back(arrays.back());
     }
     const float* cos_i() const { return arrays.back(); }
 };
@@ -148,22 +157,65 @@ unit_kernels units_of(std::string_view set) {
     return {};
 }
 
+/// What one unpolarised reflectance is made of, each operation once however often it is used. A change of sign and a
+/// magnitude are free.
+struct operation_counts {
+    int divisions = 0, roots = 0, others = 0, exponentials = 0, powers = 0;
+
+    explicit operation_counts(std::string_view model) {
+        const emit::function f = emit::record(model);
+        const std::vector<bool> needed = emit::needed_nodes(f);
+        for (std::uint32_t i = 0; i < f.graph.size(); ++i)
+            if (needed[i]) count(f.graph, f.graph[i]);
+    }
+    bool polynomial() const { return divisions + roots + exponentials + powers == 0; }
+
+private:
+    void count(const expression_graph& graph, const expression& x) {
+        switch (x.op) {
+        case operation::input:
+        case operation::constant:
+        case operation::negate:
+        case operation::absolute:
+            break;
+        case operation::divide:
+            ++(by_power_of_two(graph[x.operands[1]]) ? others : divisions);
+            break;
+        case operation::square_root:
+            ++roots;
+            break;
+        case operation::exponential2:
+            ++exponentials;
+            break;
+        case operation::power:
+            ++powers;
+            break;
+        default:
+            ++others;
+        }
+    }
+    static bool by_power_of_two(const expression& x) {
+        int exponent = 0;
+        return x.op == operation::constant && std::frexp(x.value[0], &exponent) == 0.5f;
+    }
+};
+
 /// Works that measure the units, and what their times say about a model.
 struct limit {
-    static constexpr std::size_t operations = 10 * 16 * 64; ///< whole rounds of every unit
+    static constexpr std::size_t operations =
+        13 * 16 * 512; ///< whole rounds of every unit, many for each call
+    static constexpr std::size_t count = 5;
 
     static std::vector<work> works(const unit_kernels& units) {
         return {[=] { units.division(operations); }, [=] { units.root(operations); },
-                [=] { units.multiply_add(operations); }, [=] { units.exp2(operations); },
+                [=] { units.multiply_and_add(operations); }, [=] { units.exp2(operations); },
                 [=] { units.pow(operations); }};
     }
 
     /// Seconds per value from the times of those works.
-    static double seconds_per_value(std::string_view model, const double* times, double stream) {
-        const operation_count count = count_operations(model);
-        const int pows = count.transcendental / 9, exponentials = count.transcendental % 9 / 4;
-        const double divider = count.division * times[0] + count.root * times[1];
-        const double others = count.cheap * times[2] + exponentials * times[3] + pows * times[4];
+    static double seconds_per_value(const operation_counts& n, const double* times, double stream) {
+        const double divider = n.divisions * times[0] + n.roots * times[1];
+        const double others = n.others * times[2] + n.exponentials * times[3] + n.powers * times[4];
         return std::max({divider / operations, others / operations, stream});
     }
 };
@@ -173,10 +225,31 @@ struct limit {
 /// What the summary at the end is made of: counters by benchmark.
 std::map<std::string, std::map<std::string, double>> results;
 
+constexpr std::array every_counter{"ns_per_value",
+                                   "share_of_limit",
+                                   "share_of_mix",
+                                   "times_textbook",
+                                   "times_memo",
+                                   "times_complex_class",
+                                   "ns_division",
+                                   "ns_square_root",
+                                   "ns_multiply_or_add",
+                                   "ns_exp2",
+                                   "ns_pow",
+                                   "milliseconds",
+                                   "fits",
+                                   "gigabytes_per_second_in_cache",
+                                   "gigabytes_per_second_in_memory"};
+
+/// The counters that every row has, 0 where the benchmark has none: all of them in a table, otherwise none.
+std::vector<std::string> columns;
+
 void report(benchmark::State& state, const std::string& name, const work& run,
             const std::map<std::string, double>& counters) {
     for (auto _ : state)
         run();
+    for (const std::string& column : columns)
+        state.counters[column] = 0;
     for (const auto& [counter, value] : counters)
         state.counters[counter] = value;
     results[name] = counters;
@@ -196,6 +269,9 @@ void run_model(benchmark::State& state, const std::string& name, const batch_mod
                                [&] { units.stream(in.arrays.data(), arrays, rival_R.data(), count); }};
     for (const work& unit : limit::works(units))
         works.push_back(unit);
+    const operation_counts operations(model.name);
+    const bool mixed = units.mix && count == small_size && operations.exponentials + operations.powers == 0;
+    if (mixed) works.push_back([&] { units.mix(model.name, in.all.data(), rival_R.data(), count); });
 
     using rival = void (*)(const index_arrays&, float*, std::size_t);
     std::vector<std::pair<const char*, rival>> rivals;
@@ -217,7 +293,8 @@ void run_model(benchmark::State& state, const std::string& name, const batch_mod
     std::map<std::string, double> counters{
         {"ns_per_value", per_value * 1e9},
         {"share_of_limit",
-         limit::seconds_per_value(model.name, times.data() + 2, times[1] / values) / per_value}};
+         limit::seconds_per_value(operations, times.data() + 2, times[1] / values) / per_value}};
+    if (mixed) counters["share_of_mix"] = times[2 + limit::count] / times[0];
     for (std::size_t i = 0; i < rivals.size(); ++i)
         counters[rivals[i].first] = times[first_rival + i] / times[0];
     report(state, name, works[0], counters);
@@ -311,47 +388,51 @@ void add_all() {
 }
 
 /// A goal of the project, at least (milliseconds: at most), and what was measured, where it was.
-void print_goal(const std::string& benchmark, const std::string& counter, double goal) {
+void print_goal(std::FILE* to, const std::string& benchmark, const std::string& counter, double goal) {
     const auto found = results.find(benchmark);
     if (found == results.end() || !found->second.contains(counter)) return;
-    fmt::print("{:<36} {:<20} {:>8.2f} {:>8.2f}\n", benchmark, counter, goal, found->second.at(counter));
+    fmt::print(to, "{:<36} {:<20} {:>8.2f} {:>8.2f}\n", benchmark, counter, goal, found->second.at(counter));
 }
 
-void print_goals() {
+void print_goals(std::FILE* to) {
     if (results.empty()) return;
-    fmt::print("\n{:<36} {:<20} {:>8} {:>8}\n", "benchmark", "counter", "goal", "here");
+    fmt::print(to, "\n{:<36} {:<20} {:>8} {:>8}\n", "benchmark", "counter", "goal", "here");
     for (const std::string set : {"avx512", "avx2"}) {
         for (const batch_model& model : batch_models()) {
             const std::string small = fmt::format("{}/{}/{}", model.name, set, small_size);
             const std::string large = fmt::format("{}/{}/{}", model.name, set, large_size);
-            const operation_count count = count_operations(model.name);
-            const bool polynomial = count.division + count.root + count.transcendental == 0;
-            if (model.name == "conductor") print_goal(small, "share_of_limit", 0.75);
+            if (model.name == "conductor") print_goal(to, small, "share_of_limit", 0.75);
             if (model.name == "conductor_fast" || model.name.starts_with("dielectric"))
-                print_goal(small, "share_of_limit", 0.8);
-            if (polynomial) print_goal(small, "share_of_limit", 0.9);
-            print_goal(large, "share_of_limit", 0.85);
+                print_goal(to, small, "share_of_limit", 0.8);
+            if (operation_counts(model.name).polynomial()) print_goal(to, small, "share_of_limit", 0.9);
+            print_goal(to, large, "share_of_limit", 0.85);
         }
         const std::string conductor = fmt::format("conductor/{}/{}", set, small_size);
-        if (set == "avx512") print_goal(conductor, "times_textbook", 80);
-        print_goal(conductor, "times_complex_class", set == "avx512" ? 20 : 12);
-        if (set == "avx512") print_goal("spectral_table/avx512/81x90x3", "times_textbook", 55);
+        if (set == "avx512") print_goal(to, conductor, "times_textbook", 80);
+        print_goal(to, conductor, "times_complex_class", set == "avx512" ? 20 : 12);
+        if (set == "avx512") print_goal(to, "spectral_table/avx512/81x90x3", "times_textbook", 55);
     }
-    print_goal("fits/every_material", "milliseconds", 150);
+    print_goal(to, "fits/every_material", "milliseconds", 150);
 }
 
 } // namespace
 } // namespace fresnel::bench
 
 int main(int argc, char** argv) {
-    fresnel::bench::add_all();
+    using namespace fresnel::bench;
+    add_all();
     // the counters have their own rounds; Google Benchmark's time needs few
     char short_time[] = "--benchmark_min_time=0.01";
     std::vector<char*> arguments(argv, argv + argc);
+    bool console = true; // otherwise the goals would stand behind the JSON or the table
+    for (const std::string_view argument : arguments) {
+        if (argument.starts_with("--benchmark_format=")) console = argument.ends_with("=console");
+        if (argument.ends_with("=csv")) columns.assign(every_counter.begin(), every_counter.end());
+    }
     arguments.insert(arguments.begin() + 1, short_time);
     int count = static_cast<int>(arguments.size());
     benchmark::Initialize(&count, arguments.data());
     if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
     benchmark::RunSpecifiedBenchmarks();
-    fresnel::bench::print_goals();
+    print_goals(console ? stdout : stderr);
 }

@@ -36,10 +36,10 @@
 #define FRESNEL_NO_VECTOR_EXTENSIONS
 #endif
 
-// g++ 12 has no packed square root but the intrinsics
+// g++ 12 has no packed square root but the intrinsics, and without them it makes a minimum of a comparison and a blend
 #if defined(__GNUC__) && !defined(__clang__) && defined(__SSE2__) && !defined(FRESNEL_NO_VECTOR_EXTENSIONS)
 #include <immintrin.h>
-#define FRESNEL_SQRT_INTRINSICS
+#define FRESNEL_INTRINSICS
 #endif
 
 namespace fresnel {
@@ -147,13 +147,13 @@ FRESNEL_INLINE Floats blend(Mask mask, Floats a, Floats b) {
 
 template <class Floats>
 FRESNEL_INLINE Floats root(Floats a) {
-#if defined(FRESNEL_SQRT_INTRINSICS) && defined(__AVX512F__)
+#if defined(FRESNEL_INTRINSICS) && defined(__AVX512F__)
     if constexpr (sizeof(Floats) == 64) return Floats(_mm512_maskz_sqrt_ps(0xffff, __m512(a)));
 #endif
-#if defined(FRESNEL_SQRT_INTRINSICS) && defined(__AVX__)
+#if defined(FRESNEL_INTRINSICS) && defined(__AVX__)
     if constexpr (sizeof(Floats) == 32) return Floats(_mm256_sqrt_ps(__m256(a)));
 #endif
-#ifdef FRESNEL_SQRT_INTRINSICS
+#ifdef FRESNEL_INTRINSICS
     if constexpr (sizeof(Floats) == 16) return Floats(_mm_sqrt_ps(__m128(a)));
 #endif
 #if defined(__clang__)
@@ -166,6 +166,36 @@ FRESNEL_INLINE Floats root(Floats a) {
 }
 
 #endif
+
+/// a < b ? a : b in each lane: `b` where they are equal or one is a NaN, as the processor's own minimum.
+template <class Floats>
+FRESNEL_INLINE Floats smaller(Floats a, Floats b) {
+#if defined(FRESNEL_INTRINSICS) && defined(__AVX512F__)
+    if constexpr (sizeof(Floats) == 64) return Floats(_mm512_maskz_min_ps(0xffff, __m512(a), __m512(b)));
+#endif
+#if defined(FRESNEL_INTRINSICS) && defined(__AVX__)
+    if constexpr (sizeof(Floats) == 32) return Floats(_mm256_min_ps(__m256(a), __m256(b)));
+#endif
+#ifdef FRESNEL_INTRINSICS
+    if constexpr (sizeof(Floats) == 16) return Floats(_mm_min_ps(__m128(a), __m128(b)));
+#endif
+    return blend(a < b, a, b);
+}
+
+/// a > b ? a : b likewise.
+template <class Floats>
+FRESNEL_INLINE Floats larger(Floats a, Floats b) {
+#if defined(FRESNEL_INTRINSICS) && defined(__AVX512F__)
+    if constexpr (sizeof(Floats) == 64) return Floats(_mm512_maskz_max_ps(0xffff, __m512(a), __m512(b)));
+#endif
+#if defined(FRESNEL_INTRINSICS) && defined(__AVX__)
+    if constexpr (sizeof(Floats) == 32) return Floats(_mm256_max_ps(__m256(a), __m256(b)));
+#endif
+#ifdef FRESNEL_INTRINSICS
+    if constexpr (sizeof(Floats) == 16) return Floats(_mm_max_ps(__m128(a), __m128(b)));
+#endif
+    return blend(b < a, a, b);
+}
 
 } // namespace lanes
 
@@ -223,8 +253,8 @@ public:
     friend FRESNEL_INLINE batch select(mask m, batch yes, batch no) {
         return batch(lanes::blend(m.lanes, yes.lanes_, no.lanes_));
     }
-    friend FRESNEL_INLINE batch min(batch x, batch y) { return select(y < x, y, x); }
-    friend FRESNEL_INLINE batch max(batch x, batch y) { return select(x < y, y, x); }
+    friend FRESNEL_INLINE batch min(batch x, batch y) { return batch(lanes::smaller(y.lanes_, x.lanes_)); }
+    friend FRESNEL_INLINE batch max(batch x, batch y) { return batch(lanes::larger(y.lanes_, x.lanes_)); }
     friend FRESNEL_INLINE batch abs(batch x) { return with_bits(bits(x) & word(0x7fffffff)); }
     friend FRESNEL_INLINE batch sqrt(batch x) { return batch(lanes::root(x.lanes_)); }
 
