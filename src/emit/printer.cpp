@@ -454,7 +454,8 @@ std::string wrapped_lines(const std::string& text) {
     for (std::size_t from = 0; from < text.size();) {
         const std::size_t end = std::min(text.find('\n', from), text.size());
         const std::string line = text.substr(from, end - from);
-        result += (line.starts_with("//") || line.starts_with("#") ? line : wrapped(line)) + "\n";
+        const bool whole = line.starts_with("#") || line.find("//") != std::string::npos;
+        result += (whole ? line : wrapped(line)) + "\n";
         from = end + 1;
     }
     return result;

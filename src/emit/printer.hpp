@@ -39,7 +39,7 @@ std::string component(const language& l, std::string_view name, int i);
 /// Three texts as a triple.
 std::string triple_of(const language& l, const std::vector<std::string>& three, bool direction = false);
 
-/// The same text with long lines broken, comments and directives but.
+/// The same text with long lines broken, but for directives and lines with a comment.
 std::string wrapped_lines(const std::string& text);
 
 /// Lines as comments.

@@ -369,15 +369,15 @@ std::string program::text(const std::vector<std::string>& head, stage wanted) co
             std::string one = glsl_stage(s);
             return one.insert(one.find('\n') + 1, text);
         };
-        if (wanted != stage::both) return headed(wanted);
-        return ruled("vertex stage") + headed(stage::vertex) + "\n" + ruled("fragment stage") +
-               glsl_stage(stage::fragment);
+        if (wanted != stage::both) return wrapped_lines(headed(wanted));
+        return wrapped_lines(ruled("vertex stage") + headed(stage::vertex) + "\n" + ruled("fragment stage") +
+                             glsl_stage(stage::fragment));
     }
     text += "\n" + declarations(stages) + helpers(stages);
     if (vertex) text += entry(stage::vertex);
     if (vertex && fragment) text += "\n";
     if (fragment) text += entry(stage::fragment);
-    return text;
+    return wrapped_lines(text);
 }
 
 } // namespace fresnel::emit
