@@ -13,6 +13,7 @@ from receiver import Receiver, Skipped, add, pip, run
 PROGRAMS = Path(__file__).parent / "programs"
 PACKAGES = ["bpy==5.0.1"]
 NEEDED_GB = 3
+TOGETHER = 12  # cases that one Blender runs
 
 # What may differ from the model's float32 where OSL does not compute as C++ does: its pow, exp2 and log2 are
 # approximations of its own; its dot product is fma(z, z', fma(x, x', y y')), so that a cosine differs by a last place,
@@ -74,9 +75,11 @@ class Cycles(Receiver):
 
     # ---- the library's functions
 
-    def run_cases(self, folder, name, ids=()):
+    def run_cases(self, folder, name, ids):
         """Runs cases and compares them; returns the rows of the table."""
-        rows = self.blender("cycles_run.py", folder, name, *ids)
+        rows = []
+        for i in range(0, len(ids), TOGETHER):
+            rows += self.blender("cycles_run.py", folder, name, *ids[i:i + TOGETHER])
         messages = [f"{r['id']}: {r['message']}" for r in rows if "message" in r]
         if messages:
             raise Failure("\n".join(messages))
@@ -108,7 +111,7 @@ class Cycles(Receiver):
         return folder, {c["id"]: c for c in json.loads((folder / "cases.json").read_text())}
 
     def check_library(self, folder, cases):
-        rows = self.run_cases(folder, "cycles")
+        rows = self.run_cases(folder, "cycles", list(cases))
         exact = [r for r in rows if self.bound(cases[r["id"]]) == 0]
         self.said.append(f"{len(exact)} functions of + - * / sqrt on {sum(r['compared'] for r in exact)} inputs: "
                          f"{sum(r['differing'] for r in exact)} differ")
