@@ -10,7 +10,7 @@ namespace fresnel::bench {
 /// Each runs `count` operations on single values, independent of each other, in registers.
 struct unit_kernels {
     int lanes;
-    void (*multiply_and_add)(std::size_t count); ///< alternately * and +
+    void (*multiply)(std::size_t count); ///< at the rate of multiply-adds, which run in the same unit
     void (*division)(std::size_t count);
     void (*root)(std::size_t count);
     void (*exp2)(std::size_t count);
