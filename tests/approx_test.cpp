@@ -250,6 +250,15 @@ TEST(f82_family, saturates_at_0_for_a_hostile_tint) {
 
 // ---- gulbrandsen ------------------------------------------------------------------------------------------
 
+TEST(gulbrandsen, is_a_number_in_float_for_every_corner_of_its_parameters) {
+    for (const float r : {0.0f, 1e-6f, 0.5f, 0.9999f, 1.0f})
+        for (const float g : {0.0f, 0.5f, 1.0f})
+            for (const float cos_i : {0.0f, 1e-6f, 0.5f, 1.0f}) {
+                const float R = gulbrandsen(r, g, cos_i);
+                EXPECT_TRUE(R >= 0 && R <= 1) << r << " " << g << " " << cos_i << ": " << R;
+            }
+}
+
 TEST(gulbrandsen, gives_back_r_at_normal_incidence_in_float_too) {
     random_numbers random(2014);
     for (int i = 0; i < 20000 / thinning; ++i) {

@@ -416,6 +416,18 @@ TEST(exact_forms, agree_with_the_truth_to_1e_40_in_50_digits) {
     });
 }
 
+TEST(exact_forms, reflect_everything_where_the_critical_angle_is_normal_incidence_to_rounding) {
+    for (const float n_i : {100.0f, 99.99999f, 30.0f})
+        for (const float k_t : {0.0f, 1e-18f, 1e-12f}) {
+            const boundary<float> R = conductor(n_i, 0.001f, k_t, 1.0f);
+            EXPECT_GT(R.R_s, 0.9f) << n_i << " " << k_t;
+            EXPECT_EQ(R.R_s, R.R_p) << n_i << " " << k_t;
+            EXPECT_LE(R.R_s, 1.0f);
+        }
+    EXPECT_GT(dielectric(100.0f, 0.001f, 1.0f).reflectance(), 0.9f);
+    EXPECT_GT(conductor(100.0, 1e-3, 0.0, 1.0).reflectance(), 0.9);
+}
+
 TEST(exact_forms, conductor_without_absorption_is_the_dielectric) {
     on_every_class<float>(20000, [](const input_class& inputs, const incidence<float>& x) {
         if (!inputs.transparent) return;

@@ -202,7 +202,8 @@ boundary<T> conductor(T n_i, T n_t, T k_t, T cos_i) {
     const T h_p = let("h_p", h * sin2);
     const T N = let("N", t0 * cos2 - s4);
     const T M = let("M", Z * cos2);
-    const T B = let("B", (N * N + M * M) * S, "|q c - s^2|^2 |q c + s^2|^2");
+    const T M2 = let("M2", M * M + least_square<T>() * ratio<T, 1, 1 << 20>(), "above 0, so that D_p is");
+    const T B = let("B", (N * N + M2) * S, "|q c - s^2|^2 |q c + s^2|^2");
     const T G_p = let("G_p", (A * cos2 + s4) * u + h_p);
     const T D_p = let("D_p", B + h_p * G_p, "|q c + s^2|^4");
     const T R_p = let("R_p", R_s * (B / D_p));
