@@ -243,7 +243,8 @@ complex<T> gulbrandsen_index(T r, T g) {
     const T f0 = let("f0", min(r, gulbrandsen_limit<T>()) + tiny<T>());
     const T n_max = let("n_max", eta_from_f0(f0));
     const T n_min = let("n_min", (1 - f0) / (1 + f0));
-    const T n = let("n", mix(n_max, n_min, g));
+    const T n =
+        let("n", n_max * (1 - g) + n_min * g); // the other form of a mix is 0 at g = 1 where n_max is large
     const T k = let("k", sqrt(max((n_max - n) * (n - sin_critical(f0)), T(0)) + tiny<T>()));
     return {n, k};
 }
