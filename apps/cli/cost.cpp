@@ -2,6 +2,7 @@
 
 #include "analysis/model_table.hpp"
 #include "emit/cost.hpp"
+#include "emit/technique.hpp"
 #include "error.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +24,7 @@ constexpr std::array all_stages = {shader_stage::fragment, shader_stage::vertex,
 
 struct options {
     std::vector<std::string> models, program;
-    std::string gpu, stage;
+    std::string gpu, stage, technique;
     bool isa = false, recorded = false, json = false, csv = false;
     std::vector<std::string> gpus, stages; ///< the two as lists
 };
@@ -151,7 +152,31 @@ std::vector<cost_row> program_rows(const options& given) {
     return rows;
 }
 
+std::vector<cost_row> technique_rows(const options& given) {
+    const emit::technique& how = emit::find_technique(given.technique);
+    const emit::dialect& glsl = emit::find_dialect("glsl");
+    constexpr int attributes = 8;
+    std::vector<cost_row> rows;
+    for (const std::string& model : given.models) {
+        const auto text = [&](emit::stage s) {
+            return technique_text(glsl, how, {model}, s, "fresnel cost");
+        };
+        const emit::shader_program program{{{shader_stage::vertex, text(emit::stage::vertex)},
+                                            {shader_stage::fragment, text(emit::stage::fragment)}},
+                                           attributes};
+        for (const cost_row& row : emit::measure_program(model, program, given.gpus))
+            if (holds(given.stages, row.stage)) rows.push_back(row);
+    }
+    return rows;
+}
+
 void check(const options& given) {
+    if (!given.technique.empty()) {
+        emit::find_technique(given.technique);
+        if (given.models.empty()) throw bad_input("--technique: name one or more models");
+        if (given.isa || given.recorded || !given.program.empty())
+            throw bad_input("--technique: takes no --isa, no --recorded and no --program");
+    }
     if (!given.program.empty() && (!given.models.empty() || given.isa || given.recorded))
         throw bad_input("--program: takes no MODEL, no --isa and no --recorded");
     for (const std::string& model : given.models)
@@ -167,7 +192,8 @@ void check(const options& given) {
 void run(options given) {
     given.gpus = split(given.gpu), given.stages = split(given.stage);
     check(given);
-    if (given.stages.empty() && given.program.empty() && !given.recorded) given.stages = {"fragment"};
+    if (given.stages.empty() && given.program.empty() && given.technique.empty() && !given.recorded)
+        given.stages = {"fragment"};
     if (given.gpus.empty() && !given.recorded)
         given.gpus = given.isa ? std::vector<std::string>{"navi21"}
                                : std::vector<std::string>{"polaris10", "navi21", "gfx1100"};
@@ -177,9 +203,10 @@ void run(options given) {
         if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "cost: every model, some seconds\n");
     }
     const std::vector<cost_row> rows =
-        given.recorded           ? recorded_rows(given)
-        : !given.program.empty() ? program_rows(given)
-                                 : emit::measure_cost_rows(given.models, given.gpus, chosen_stages(given));
+        given.recorded             ? recorded_rows(given)
+        : !given.program.empty()   ? program_rows(given)
+        : !given.technique.empty() ? technique_rows(given)
+                                   : emit::measure_cost_rows(given.models, given.gpus, chosen_stages(given));
     if (given.csv) return fmt::print("{}", to_csv(rows));
     if (!given.json) return print(rows);
     nlohmann::json list = nlohmann::json::array();
@@ -197,6 +224,7 @@ void add_cost(CLI::App& app) {
         "  fresnel cost conductor --gpu navi21,gfx1100 --stage vertex,fragment\n"
         "  fresnel cost powers_4_8 --isa                    the listing of one evaluation\n"
         "  fresnel cost --json                              every model\n"
+        "  fresnel cost schlick --technique per-pixel       the program that uses it\n"
         "  fresnel cost --program a.vert a.frag             what a program of yours costs\n"
         "  fresnel cost --recorded --gpu sm_86              the table that was measured before\n\n"
         "What one more evaluation adds to a shader, by Mesa's compiler for AMD: 16 evaluations on inputs of\n"
@@ -214,6 +242,10 @@ void add_cost(CLI::App& app) {
                      "a GLSL program of your own, written for OpenGL or Vulkan: what all of each stage costs")
         ->type_name("VERTEX FRAGMENT")
         ->expected(2);
+    command
+        ->add_option("--technique", given->technique,
+                     "the whole program of `fresnel shader --technique`: what all of each stage costs")
+        ->type_name("T");
     command->add_flag("--isa", given->isa, "print the instructions of one evaluation");
     command->add_flag("--recorded", given->recorded,
                       "print the table of this version, other compilers' rows too");

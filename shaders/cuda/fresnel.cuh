@@ -109,6 +109,60 @@ FRESNEL_FUNCTION float eta_from_f0(float f0) {
     return t * t / (1.0f - f0);
 }
 
+// ---- highlights and thin layers ------------------------------------------------------------------------------
+
+// The lobe of Phong's highlight, to be multiplied by the reflectance.
+//
+//   max(cos_r, 0)^shininess
+//
+// cos_r     cosine between the view and the mirrored light, [-1, 1]
+// shininess sharpness, above 0
+FRESNEL_FUNCTION float phong_lobe(float cos_r, float shininess) {
+    return powf(fmaxf(cos_r, 0.0f), shininess);
+}
+
+// Opacity by reflection: from the user's value to 1 at the silhouette.
+//
+//   a0 + (1 - a0) (1 - cos_i)^5
+//
+// a0        opacity by reflection seen along the normal, [0, 1]
+// cos_i     cosine between view and normal, [0, 1]
+FRESNEL_FUNCTION float opacity_fresnel(float a0, float cos_i) {
+    float m = 1.0f - cos_i;
+    float m2 = m * m;
+    return a0 + (1.0f - a0) * (m2 * m2 * m);
+}
+
+// Opacity by attenuation in a thin layer, in proportion to the path through it.
+//
+//   min(1, a / cos_i)
+//
+// a         opacity by attenuation seen along the normal, [0, 1]
+// cos_i     cosine between view and normal, [0, 1]
+FRESNEL_FUNCTION float opacity_silhouette(float a, float cos_i) {
+    return cos_i <= 0.0f ? (a > 0.0f ? 1.0f : a) : fminf(a / cos_i, 1.0f);
+}
+
+// The opacity by attenuation that gives a layer a total opacity; negative where there is none.
+//
+//   (total - fresnel) / (1 - fresnel)
+//
+// total     opacity of the whole, [0, 1]
+// fresnel   opacity by reflection, [0, 1)
+FRESNEL_FUNCTION float opacity_attenuation(float total, float fresnel) {
+    return (total - fresnel) / (1.0f - fresnel);
+}
+
+// Opacity of a layer that attenuates and reflects.
+//
+//   1 - (1 - attenuation) (1 - fresnel)
+//
+// attenuation opacity by attenuation, [0, 1]
+// fresnel   opacity by reflection, [0, 1]
+FRESNEL_FUNCTION float opacity_total(float attenuation, float fresnel) {
+    return attenuation + fresnel * (1.0f - attenuation);
+}
+
 // ---- exact ---------------------------------------------------------------------------------------------------
 
 // Exact reflectance between two transparent media, accurate in float everywhere.
@@ -277,7 +331,7 @@ FRESNEL_FUNCTION fresnel_boundary conductor_boundary(float n_i, float n_t, float
 // n_t     index behind it, [0.001, 1000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 4e-6 for eta > 1.05, no digit left at 1 +- 1e-6
-// cost    32 operations
+// cost    31 operations
 // source  Cook and Torrance 1982
 FRESNEL_FUNCTION float dielectric_fast(float n_i, float n_t, float cos_i) {
     float c = n_i * cos_i;
@@ -288,10 +342,10 @@ FRESNEL_FUNCTION float dielectric_fast(float n_i, float n_t, float cos_i) {
     float x = cos_i * g;
     float a = g + c;
     float b = x + s2;
-    float r_s = g2 <= 0.0f ? 1.0f : (g - c) / a;
-    float q = g2 <= 0.0f ? 1.0f : (x - s2) / b;
+    float r_s = (g - c) / a;
+    float q = (x - s2) / b;
     float r_s2 = r_s * r_s;
-    return (r_s2 + r_s2 * (q * q)) / 2.0f;
+    return g2 <= 0.0f ? 1.0f : (r_s2 + r_s2 * (q * q)) / 2.0f;
 }
 
 FRESNEL_FUNCTION float dielectric_fast(float n_i, float n_t, float3 normal, float3 direction) {
@@ -339,7 +393,7 @@ FRESNEL_FUNCTION fresnel_boundary dielectric_fast_boundary(float n_i, float n_t,
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 3e-6 for metals, 1e-4 for dielectrics, no digit left near an index match
-// cost    51 operations
+// cost    50 operations
 // source  Lagarde 2013, Memo on Fresnel equations, after Shirley
 FRESNEL_FUNCTION float conductor_fast(float n_i, float n_t, float k_t, float cos_i) {
     float c = n_i * cos_i;
@@ -351,7 +405,7 @@ FRESNEL_FUNCTION float conductor_fast(float n_i, float n_t, float k_t, float cos
     float nk2 = 2.0f * (n_t * k_t);
     float A = sqrtf(t0 * t0 + nk2 * nk2); // a^2 + b^2
     float a2 = 2.0f * (A + t0); // (2 a)^2
-    float a = a2 <= 0.0f ? 0.0f : sqrtf(a2);
+    float a = sqrtf(fmaxf(a2, 0.0f));
     float t1 = A + c2;
     float t2 = fminf(a * c, t1);
     float t3 = cos2 * A + s2 * s2;
@@ -388,7 +442,7 @@ FRESNEL_FUNCTION fresnel_boundary conductor_fast_boundary(float n_i, float n_t, 
     float nk2 = 2.0f * (n_t * k_t);
     float A = sqrtf(t0 * t0 + nk2 * nk2); // a^2 + b^2
     float a2 = 2.0f * (A + t0); // (2 a)^2
-    float a = a2 <= 0.0f ? 0.0f : sqrtf(a2);
+    float a = sqrtf(fmaxf(a2, 0.0f));
     float t1 = A + c2;
     float t2 = fminf(a * c, t1);
     float t3 = cos2 * A + s2 * s2;

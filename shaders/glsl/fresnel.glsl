@@ -98,6 +98,60 @@ float eta_from_f0(float f0) {
     return t * t / (1.0 - f0);
 }
 
+// ---- highlights and thin layers ------------------------------------------------------------------------------
+
+// The lobe of Phong's highlight, to be multiplied by the reflectance.
+//
+//   max(cos_r, 0)^shininess
+//
+// cos_r     cosine between the view and the mirrored light, [-1, 1]
+// shininess sharpness, above 0
+float phong_lobe(float cos_r, float shininess) {
+    return pow(max(cos_r, 0.0), shininess);
+}
+
+// Opacity by reflection: from the user's value to 1 at the silhouette.
+//
+//   a0 + (1 - a0) (1 - cos_i)^5
+//
+// a0        opacity by reflection seen along the normal, [0, 1]
+// cos_i     cosine between view and normal, [0, 1]
+float opacity_fresnel(float a0, float cos_i) {
+    float m = 1.0 - cos_i;
+    float m2 = m * m;
+    return a0 + (1.0 - a0) * (m2 * m2 * m);
+}
+
+// Opacity by attenuation in a thin layer, in proportion to the path through it.
+//
+//   min(1, a / cos_i)
+//
+// a         opacity by attenuation seen along the normal, [0, 1]
+// cos_i     cosine between view and normal, [0, 1]
+float opacity_silhouette(float a, float cos_i) {
+    return cos_i <= 0.0 ? (a > 0.0 ? 1.0 : a) : min(a / cos_i, 1.0);
+}
+
+// The opacity by attenuation that gives a layer a total opacity; negative where there is none.
+//
+//   (total - fresnel) / (1 - fresnel)
+//
+// total     opacity of the whole, [0, 1]
+// fresnel   opacity by reflection, [0, 1)
+float opacity_attenuation(float total, float fresnel) {
+    return (total - fresnel) / (1.0 - fresnel);
+}
+
+// Opacity of a layer that attenuates and reflects.
+//
+//   1 - (1 - attenuation) (1 - fresnel)
+//
+// attenuation opacity by attenuation, [0, 1]
+// fresnel   opacity by reflection, [0, 1]
+float opacity_total(float attenuation, float fresnel) {
+    return attenuation + fresnel * (1.0 - attenuation);
+}
+
 // ---- exact ---------------------------------------------------------------------------------------------------
 
 // Exact reflectance between two transparent media, accurate in float everywhere.
@@ -278,7 +332,7 @@ fresnel_boundary conductor_boundary(float n_i, float n_t, float k_t, float cos_i
 // n_t     index behind it, [0.001, 1000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 4e-6 for eta > 1.05, no digit left at 1 +- 1e-6
-// cost    32 operations
+// cost    31 operations
 // source  Cook and Torrance 1982
 float dielectric_fast(float n_i, float n_t, float cos_i) {
     float c = n_i * cos_i;
@@ -289,10 +343,10 @@ float dielectric_fast(float n_i, float n_t, float cos_i) {
     float x = cos_i * g;
     float a = g + c;
     float b = x + s2;
-    float r_s = g2 <= 0.0 ? 1.0 : (g - c) / a;
-    float q = g2 <= 0.0 ? 1.0 : (x - s2) / b;
+    float r_s = (g - c) / a;
+    float q = (x - s2) / b;
     float r_s2 = r_s * r_s;
-    return (r_s2 + r_s2 * (q * q)) / 2.0;
+    return g2 <= 0.0 ? 1.0 : (r_s2 + r_s2 * (q * q)) / 2.0;
 }
 
 float dielectric_fast(float n_i, float n_t, vec3 normal, vec3 direction) {
@@ -338,7 +392,7 @@ fresnel_boundary dielectric_fast_boundary(float n_i, float n_t, float cos_i) {
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 3e-6 for metals, 1e-4 for dielectrics, no digit left near an index match
-// cost    51 operations
+// cost    50 operations
 // source  Lagarde 2013, Memo on Fresnel equations, after Shirley
 float conductor_fast(float n_i, float n_t, float k_t, float cos_i) {
     float c = n_i * cos_i;
@@ -350,7 +404,7 @@ float conductor_fast(float n_i, float n_t, float k_t, float cos_i) {
     float nk2 = 2.0 * (n_t * k_t);
     float A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
     float a2 = 2.0 * (A + t0); // (2 a)^2
-    float a = a2 <= 0.0 ? 0.0 : sqrt(a2);
+    float a = sqrt(max(a2, 0.0));
     float t1 = A + c2;
     float t2 = min(a * c, t1);
     float t3 = cos2 * A + s2 * s2;
@@ -368,8 +422,25 @@ float conductor_fast(float n_i, float n_t, float k_t, vec3 normal, vec3 directio
 
 // The same for three channels, which share the angle.
 vec3 conductor_fast(float n_i, vec3 n_t, vec3 k_t, float cos_i) {
-    return vec3(conductor_fast(n_i, n_t.x, k_t.x, cos_i), conductor_fast(n_i, n_t.y, k_t.y, cos_i),
-            conductor_fast(n_i, n_t.z, k_t.z, cos_i));
+    float c = n_i * cos_i;
+    float c2 = c * c;
+    float cos2 = cos_i * cos_i;
+    float sin2 = 1.0 - cos2;
+    float s2 = n_i * sin2;
+    vec3 t0 = n_t * n_t - n_i * s2 - k_t * k_t;
+    vec3 nk2 = 2.0 * (n_t * k_t);
+    vec3 A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
+    vec3 a2 = 2.0 * (A + t0); // (2 a)^2
+    vec3 a = sqrt(max(a2, vec3(0.0)));
+    vec3 t1 = A + c2;
+    vec3 t2 = min(a * c, t1);
+    vec3 t3 = cos2 * A + s2 * s2;
+    vec3 t4 = min(t2 * sin2, t3);
+    vec3 D_s = max(t1 + t2, vec3(1.1754944e-38));
+    vec3 D_p = t3 + t4;
+    vec3 R_s = (t1 - t2) / D_s;
+    vec3 R_p = R_s * ((t3 - t4) / D_p);
+    return (R_s + R_p) / 2.0;
 }
 
 vec3 conductor_fast(float n_i, vec3 n_t, vec3 k_t, vec3 normal, vec3 direction) {
@@ -387,7 +458,7 @@ fresnel_boundary conductor_fast_boundary(float n_i, float n_t, float k_t, float 
     float nk2 = 2.0 * (n_t * k_t);
     float A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
     float a2 = 2.0 * (A + t0); // (2 a)^2
-    float a = a2 <= 0.0 ? 0.0 : sqrt(a2);
+    float a = sqrt(max(a2, 0.0));
     float t1 = A + c2;
     float t2 = min(a * c, t1);
     float t3 = cos2 * A + s2 * s2;

@@ -208,10 +208,124 @@ float eta_from_f0(float f0) {
 }
 `, []);
 
+export const phongLobe = /*@__PURE__*/ native(/* wgsl */ `
+// The lobe of Phong's highlight, to be multiplied by the reflectance.
+//
+//   max(cos_r, 0)^shininess
+//
+// cos_r     cosine between the view and the mirrored light, [-1, 1]
+// shininess sharpness, above 0
+fn phong_lobe(cos_r: f32, shininess: f32) -> f32 {
+    return pow(max(cos_r, 0.0), shininess);
+}
+`, /* glsl */ `
+// The lobe of Phong's highlight, to be multiplied by the reflectance.
+//
+//   max(cos_r, 0)^shininess
+//
+// cos_r     cosine between the view and the mirrored light, [-1, 1]
+// shininess sharpness, above 0
+float phong_lobe(float cos_r, float shininess) {
+    return pow(max(cos_r, 0.0), shininess);
+}
+`, []);
+
+export const opacityFresnel = /*@__PURE__*/ native(/* wgsl */ `
+// Opacity by reflection: from the user's value to 1 at the silhouette.
+//
+//   a0 + (1 - a0) (1 - cos_i)^5
+//
+// a0        opacity by reflection seen along the normal, [0, 1]
+// cos_i     cosine between view and normal, [0, 1]
+fn opacity_fresnel(a0: f32, cos_i: f32) -> f32 {
+    let m = 1.0 - cos_i;
+    let m2 = m * m;
+    return a0 + (1.0 - a0) * (m2 * m2 * m);
+}
+`, /* glsl */ `
+// Opacity by reflection: from the user's value to 1 at the silhouette.
+//
+//   a0 + (1 - a0) (1 - cos_i)^5
+//
+// a0        opacity by reflection seen along the normal, [0, 1]
+// cos_i     cosine between view and normal, [0, 1]
+float opacity_fresnel(float a0, float cos_i) {
+    float m = 1.0 - cos_i;
+    float m2 = m * m;
+    return a0 + (1.0 - a0) * (m2 * m2 * m);
+}
+`, []);
+
+export const opacitySilhouette = /*@__PURE__*/ native(/* wgsl */ `
+// Opacity by attenuation in a thin layer, in proportion to the path through it.
+//
+//   min(1, a / cos_i)
+//
+// a         opacity by attenuation seen along the normal, [0, 1]
+// cos_i     cosine between view and normal, [0, 1]
+fn opacity_silhouette(a: f32, cos_i: f32) -> f32 {
+    return select(min(a / cos_i, 1.0), select(a, 1.0, a > 0.0), cos_i <= 0.0);
+}
+`, /* glsl */ `
+// Opacity by attenuation in a thin layer, in proportion to the path through it.
+//
+//   min(1, a / cos_i)
+//
+// a         opacity by attenuation seen along the normal, [0, 1]
+// cos_i     cosine between view and normal, [0, 1]
+float opacity_silhouette(float a, float cos_i) {
+    return cos_i <= 0.0 ? (a > 0.0 ? 1.0 : a) : min(a / cos_i, 1.0);
+}
+`, []);
+
+export const opacityAttenuation = /*@__PURE__*/ native(/* wgsl */ `
+// The opacity by attenuation that gives a layer a total opacity; negative where there is none.
+//
+//   (total - fresnel) / (1 - fresnel)
+//
+// total     opacity of the whole, [0, 1]
+// fresnel   opacity by reflection, [0, 1)
+fn opacity_attenuation(total: f32, fresnel: f32) -> f32 {
+    return (total - fresnel) / (1.0 - fresnel);
+}
+`, /* glsl */ `
+// The opacity by attenuation that gives a layer a total opacity; negative where there is none.
+//
+//   (total - fresnel) / (1 - fresnel)
+//
+// total     opacity of the whole, [0, 1]
+// fresnel   opacity by reflection, [0, 1)
+float opacity_attenuation(float total, float fresnel) {
+    return (total - fresnel) / (1.0 - fresnel);
+}
+`, []);
+
+export const opacityTotal = /*@__PURE__*/ native(/* wgsl */ `
+// Opacity of a layer that attenuates and reflects.
+//
+//   1 - (1 - attenuation) (1 - fresnel)
+//
+// attenuation opacity by attenuation, [0, 1]
+// fresnel   opacity by reflection, [0, 1]
+fn opacity_total(attenuation: f32, fresnel: f32) -> f32 {
+    return attenuation + fresnel * (1.0 - attenuation);
+}
+`, /* glsl */ `
+// Opacity of a layer that attenuates and reflects.
+//
+//   1 - (1 - attenuation) (1 - fresnel)
+//
+// attenuation opacity by attenuation, [0, 1]
+// fresnel   opacity by reflection, [0, 1]
+float opacity_total(float attenuation, float fresnel) {
+    return attenuation + fresnel * (1.0 - attenuation);
+}
+`, []);
+
 export const dielectric = /*@__PURE__*/ native(/* wgsl */ `
 // Exact reflectance between two transparent media, accurate in float everywhere.
 //
-//   R_s = E^2 / (E^2 + 4 c g (g + c)^2), R_p = R_s ((c g - s^2) / (c g + s^2))^2, E = eta^2 - 1, 
+//   R_s = E^2 / (E^2 + 4 c g (g + c)^2), R_p = R_s ((c g - s^2) / (c g + s^2))^2, E = eta^2 - 1,
 //   g^2 = E + c^2
 //
 // n_i     index in front of the surface, [0.01, 100]
@@ -223,14 +337,14 @@ export const dielectric = /*@__PURE__*/ native(/* wgsl */ `
 fn dielectric(n_i: f32, n_t: f32, cos_i: f32) -> f32 {
     let c = n_i * cos_i;
     let s2 = n_i * (1.0 - cos_i * cos_i);
-    let E = (n_t - n_i) * (n_t + n_i);
-    let g2 = E + c * c;
-    let g = sqrt(max(g2, 1.1754944e-38));
+    let E = (n_t - n_i) * (n_t + n_i); // eta^2 - 1
+    let g2 = E + c * c; // below 0 under total internal reflection
+    let g = sqrt(max(g2, 1.1754944e-38)); // eta cos_t; so little there that R is 1
     let E2 = E * E;
     let cg = c * g;
     let a = 2.0 * (g + c);
     let a2 = a * a;
-    let D_s = max(E2 + cg * a2, 1.1754944e-38);
+    let D_s = max(E2 + cg * a2, 1.1754944e-38); // 0 only for equal media at cos_i = 0
     let R_s = E2 / D_s;
     let x = cos_i * g;
     let b = x + s2;
@@ -241,7 +355,7 @@ fn dielectric(n_i: f32, n_t: f32, cos_i: f32) -> f32 {
 `, /* glsl */ `
 // Exact reflectance between two transparent media, accurate in float everywhere.
 //
-//   R_s = E^2 / (E^2 + 4 c g (g + c)^2), R_p = R_s ((c g - s^2) / (c g + s^2))^2, E = eta^2 - 1, 
+//   R_s = E^2 / (E^2 + 4 c g (g + c)^2), R_p = R_s ((c g - s^2) / (c g + s^2))^2, E = eta^2 - 1,
 //   g^2 = E + c^2
 //
 // n_i     index in front of the surface, [0.01, 100]
@@ -253,14 +367,14 @@ fn dielectric(n_i: f32, n_t: f32, cos_i: f32) -> f32 {
 float dielectric(float n_i, float n_t, float cos_i) {
     float c = n_i * cos_i;
     float s2 = n_i * (1.0 - cos_i * cos_i);
-    float E_ = (n_t - n_i) * (n_t + n_i);
-    float g2 = E_ + c * c;
-    float g = sqrt(max(g2, 1.1754944e-38));
+    float E_ = (n_t - n_i) * (n_t + n_i); // eta^2 - 1
+    float g2 = E_ + c * c; // below 0 under total internal reflection
+    float g = sqrt(max(g2, 1.1754944e-38)); // eta cos_t; so little there that R is 1
     float E2 = E_ * E_;
     float cg = c * g;
     float a = 2.0 * (g + c);
     float a2 = a * a;
-    float D_s = max(E2 + cg * a2, 1.1754944e-38);
+    float D_s = max(E2 + cg * a2, 1.1754944e-38); // 0 only for equal media at cos_i = 0
     float R_s = E2 / D_s;
     float x = cos_i * g;
     float b = x + s2;
@@ -285,14 +399,14 @@ export const dielectricRgb = /*@__PURE__*/ native(/* wgsl */ `
 fn dielectric_rgb(n_i: f32, n_t: vec3f, cos_i: f32) -> vec3f {
     let c = n_i * cos_i;
     let s2 = n_i * (1.0 - cos_i * cos_i);
-    let E = (n_t - n_i) * (n_t + n_i);
-    let g2 = E + c * c;
-    let g = sqrt(max(g2, vec3f(1.1754944e-38)));
+    let E = (n_t - n_i) * (n_t + n_i); // eta^2 - 1
+    let g2 = E + c * c; // below 0 under total internal reflection
+    let g = sqrt(max(g2, vec3f(1.1754944e-38))); // eta cos_t; so little there that R is 1
     let E2 = E * E;
     let cg = c * g;
     let a = 2.0 * (g + c);
     let a2 = a * a;
-    let D_s = max(E2 + cg * a2, vec3f(1.1754944e-38));
+    let D_s = max(E2 + cg * a2, vec3f(1.1754944e-38)); // 0 only for equal media at cos_i = 0
     let R_s = E2 / D_s;
     let x = cos_i * g;
     let b = x + s2;
@@ -305,14 +419,14 @@ fn dielectric_rgb(n_i: f32, n_t: vec3f, cos_i: f32) -> vec3f {
 vec3 dielectric_rgb(float n_i, vec3 n_t, float cos_i) {
     float c = n_i * cos_i;
     float s2 = n_i * (1.0 - cos_i * cos_i);
-    vec3 E_ = (n_t - n_i) * (n_t + n_i);
-    vec3 g2 = E_ + c * c;
-    vec3 g = sqrt(max(g2, vec3(1.1754944e-38)));
+    vec3 E_ = (n_t - n_i) * (n_t + n_i); // eta^2 - 1
+    vec3 g2 = E_ + c * c; // below 0 under total internal reflection
+    vec3 g = sqrt(max(g2, vec3(1.1754944e-38))); // eta cos_t; so little there that R is 1
     vec3 E2 = E_ * E_;
     vec3 cg = c * g;
     vec3 a = 2.0 * (g + c);
     vec3 a2 = a * a;
-    vec3 D_s = max(E2 + cg * a2, vec3(1.1754944e-38));
+    vec3 D_s = max(E2 + cg * a2, vec3(1.1754944e-38)); // 0 only for equal media at cos_i = 0
     vec3 R_s = E2 / D_s;
     vec3 x = cos_i * g;
     vec3 b = x + s2;
@@ -351,25 +465,25 @@ fn conductor(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let sin2 = 1.0 - cos2;
     let s2 = n_i * sin2;
     let s4 = s2 * s2;
-    let E = (n_t - n_i) * (n_t + n_i) - k_t * k_t;
-    let Z = 2.0 * (n_t * k_t);
+    let E = (n_t - n_i) * (n_t + n_i) - k_t * k_t; // Re m^2 - 1
+    let Z = 2.0 * (n_t * k_t); // Im m^2
     let Z2 = Z * Z;
-    let t0 = E + c2;
-    let A = sqrt(t0 * t0 + Z2);
-    let S = max(A + abs(t0), 8.881784e-16);
-    let u = sqrt(2.0 * S);
-    let a = select(S, Z, t0 < 0.0);
+    let t0 = E + c2; // q^2 = t0 + i Z
+    let A = sqrt(t0 * t0 + Z2); // |q|^2
+    let S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
+    let u = sqrt(2.0 * S); // twice the larger of Re q and Im q
+    let a = select(S, Z, t0 < 0.0); // u Re q
     let h = 2.0 * (a * c);
-    let F = (E * E + Z2) * S;
+    let F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
     let G_s = (A + c2) * u + h;
-    let D_s = max(F + h * G_s, 1.1754944e-38);
+    let D_s = max(F + h * G_s, 1.1754944e-38); // |c + q|^4; 0 only for equal media at cos_i = 0
     let R_s = F / D_s;
     let h_p = h * sin2;
     let N = t0 * cos2 - s4;
     let M = Z * cos2;
-    let B = (N * N + M * M) * S;
+    let B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
     let G_p = (A * cos2 + s4) * u + h_p;
-    let D_p = B + h_p * G_p;
+    let D_p = B + h_p * G_p; // |q c + s^2|^4
     let R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0;
 }
@@ -392,25 +506,25 @@ float conductor(float n_i, float n_t, float k_t, float cos_i) {
     float sin2 = 1.0 - cos2;
     float s2 = n_i * sin2;
     float s4 = s2 * s2;
-    float E_ = (n_t - n_i) * (n_t + n_i) - k_t * k_t;
-    float Z = 2.0 * (n_t * k_t);
+    float E_ = (n_t - n_i) * (n_t + n_i) - k_t * k_t; // Re m^2 - 1
+    float Z = 2.0 * (n_t * k_t); // Im m^2
     float Z2 = Z * Z;
-    float t0 = E_ + c2;
-    float A = sqrt(t0 * t0 + Z2);
-    float S = max(A + abs(t0), 8.881784e-16);
-    float u = sqrt(2.0 * S);
-    float a = t0 < 0.0 ? Z : S;
+    float t0 = E_ + c2; // q^2 = t0 + i Z
+    float A = sqrt(t0 * t0 + Z2); // |q|^2
+    float S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
+    float u = sqrt(2.0 * S); // twice the larger of Re q and Im q
+    float a = t0 < 0.0 ? Z : S; // u Re q
     float h = 2.0 * (a * c);
-    float F = (E_ * E_ + Z2) * S;
+    float F = (E_ * E_ + Z2) * S; // |c - q|^2 |c + q|^2
     float G_s = (A + c2) * u + h;
-    float D_s = max(F + h * G_s, 1.1754944e-38);
+    float D_s = max(F + h * G_s, 1.1754944e-38); // |c + q|^4; 0 only for equal media at cos_i = 0
     float R_s = F / D_s;
     float h_p = h * sin2;
     float N = t0 * cos2 - s4;
     float M = Z * cos2;
-    float B = (N * N + M * M) * S;
+    float B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
     float G_p = (A * cos2 + s4) * u + h_p;
-    float D_p = B + h_p * G_p;
+    float D_p = B + h_p * G_p; // |q c + s^2|^4
     float R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0;
 }
@@ -459,7 +573,7 @@ export const dielectricFast = /*@__PURE__*/ native(/* wgsl */ `
 // n_t     index behind it, [0.001, 1000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 4e-6 for eta > 1.05, no digit left at 1 +- 1e-6
-// cost    32 operations
+// cost    31 operations
 // source  Cook and Torrance 1982
 fn dielectric_fast(n_i: f32, n_t: f32, cos_i: f32) -> f32 {
     let c = n_i * cos_i;
@@ -470,10 +584,10 @@ fn dielectric_fast(n_i: f32, n_t: f32, cos_i: f32) -> f32 {
     let x = cos_i * g;
     let a = g + c;
     let b = x + s2;
-    let r_s = select((g - c) / a, 1.0, g2 <= 0.0);
-    let q = select((x - s2) / b, 1.0, g2 <= 0.0);
+    let r_s = (g - c) / a;
+    let q = (x - s2) / b;
     let r_s2 = r_s * r_s;
-    return (r_s2 + r_s2 * (q * q)) / 2.0;
+    return select((r_s2 + r_s2 * (q * q)) / 2.0, 1.0, g2 <= 0.0);
 }
 `, /* glsl */ `
 // Exact reflectance between two transparent media in the fewest operations.
@@ -484,7 +598,7 @@ fn dielectric_fast(n_i: f32, n_t: f32, cos_i: f32) -> f32 {
 // n_t     index behind it, [0.001, 1000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 4e-6 for eta > 1.05, no digit left at 1 +- 1e-6
-// cost    32 operations
+// cost    31 operations
 // source  Cook and Torrance 1982
 float dielectric_fast(float n_i, float n_t, float cos_i) {
     float c = n_i * cos_i;
@@ -495,10 +609,10 @@ float dielectric_fast(float n_i, float n_t, float cos_i) {
     float x = cos_i * g;
     float a = g + c;
     float b = x + s2;
-    float r_s = g2 <= 0.0 ? 1.0 : (g - c) / a;
-    float q = g2 <= 0.0 ? 1.0 : (x - s2) / b;
+    float r_s = (g - c) / a;
+    float q = (x - s2) / b;
     float r_s2 = r_s * r_s;
-    return (r_s2 + r_s2 * (q * q)) / 2.0;
+    return g2 <= 0.0 ? 1.0 : (r_s2 + r_s2 * (q * q)) / 2.0;
 }
 `, []);
 
@@ -546,7 +660,7 @@ export const conductorFast = /*@__PURE__*/ native(/* wgsl */ `
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 3e-6 for metals, 1e-4 for dielectrics, no digit left near an index match
-// cost    51 operations
+// cost    50 operations
 // source  Lagarde 2013, Memo on Fresnel equations, after Shirley
 fn conductor_fast(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let c = n_i * cos_i;
@@ -556,9 +670,9 @@ fn conductor_fast(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let s2 = n_i * sin2;
     let t0 = n_t * n_t - n_i * s2 - k_t * k_t;
     let nk2 = 2.0 * (n_t * k_t);
-    let A = sqrt(t0 * t0 + nk2 * nk2);
-    let a2 = 2.0 * (A + t0);
-    let a = select(sqrt(a2), 0.0, a2 <= 0.0);
+    let A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
+    let a2 = 2.0 * (A + t0); // (2 a)^2
+    let a = sqrt(max(a2, 0.0));
     let t1 = A + c2;
     let t2 = min(a * c, t1);
     let t3 = cos2 * A + s2 * s2;
@@ -579,7 +693,7 @@ fn conductor_fast(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 3e-6 for metals, 1e-4 for dielectrics, no digit left near an index match
-// cost    51 operations
+// cost    50 operations
 // source  Lagarde 2013, Memo on Fresnel equations, after Shirley
 float conductor_fast(float n_i, float n_t, float k_t, float cos_i) {
     float c = n_i * cos_i;
@@ -589,9 +703,9 @@ float conductor_fast(float n_i, float n_t, float k_t, float cos_i) {
     float s2 = n_i * sin2;
     float t0 = n_t * n_t - n_i * s2 - k_t * k_t;
     float nk2 = 2.0 * (n_t * k_t);
-    float A = sqrt(t0 * t0 + nk2 * nk2);
-    float a2 = 2.0 * (A + t0);
-    float a = a2 <= 0.0 ? 0.0 : sqrt(a2);
+    float A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
+    float a2 = 2.0 * (A + t0); // (2 a)^2
+    float a = sqrt(max(a2, 0.0));
     float t1 = A + c2;
     float t2 = min(a * c, t1);
     float t3 = cos2 * A + s2 * s2;
@@ -617,16 +731,50 @@ float conductor_fast_dir(float n_i, float n_t, float k_t, vec3 normal, vec3 dire
 export const conductorFastRgb = /*@__PURE__*/ native(/* wgsl */ `
 // The same for three channels, which share the angle.
 fn conductor_fast_rgb(n_i: f32, n_t: vec3f, k_t: vec3f, cos_i: f32) -> vec3f {
-    return vec3f(conductor_fast(n_i, n_t.x, k_t.x, cos_i), conductor_fast(n_i, n_t.y, k_t.y, cos_i),
-            conductor_fast(n_i, n_t.z, k_t.z, cos_i));
+    let c = n_i * cos_i;
+    let c2 = c * c;
+    let cos2 = cos_i * cos_i;
+    let sin2 = 1.0 - cos2;
+    let s2 = n_i * sin2;
+    let t0 = n_t * n_t - n_i * s2 - k_t * k_t;
+    let nk2 = 2.0 * (n_t * k_t);
+    let A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
+    let a2 = 2.0 * (A + t0); // (2 a)^2
+    let a = sqrt(max(a2, vec3f(0.0)));
+    let t1 = A + c2;
+    let t2 = min(a * c, t1);
+    let t3 = cos2 * A + s2 * s2;
+    let t4 = min(t2 * sin2, t3);
+    let D_s = max(t1 + t2, vec3f(1.1754944e-38));
+    let D_p = t3 + t4;
+    let R_s = (t1 - t2) / D_s;
+    let R_p = R_s * ((t3 - t4) / D_p);
+    return (R_s + R_p) / 2.0;
 }
 `, /* glsl */ `
 // The same for three channels, which share the angle.
 vec3 conductor_fast_rgb(float n_i, vec3 n_t, vec3 k_t, float cos_i) {
-    return vec3(conductor_fast(n_i, n_t.x, k_t.x, cos_i), conductor_fast(n_i, n_t.y, k_t.y, cos_i),
-            conductor_fast(n_i, n_t.z, k_t.z, cos_i));
+    float c = n_i * cos_i;
+    float c2 = c * c;
+    float cos2 = cos_i * cos_i;
+    float sin2 = 1.0 - cos2;
+    float s2 = n_i * sin2;
+    vec3 t0 = n_t * n_t - n_i * s2 - k_t * k_t;
+    vec3 nk2 = 2.0 * (n_t * k_t);
+    vec3 A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
+    vec3 a2 = 2.0 * (A + t0); // (2 a)^2
+    vec3 a = sqrt(max(a2, vec3(0.0)));
+    vec3 t1 = A + c2;
+    vec3 t2 = min(a * c, t1);
+    vec3 t3 = cos2 * A + s2 * s2;
+    vec3 t4 = min(t2 * sin2, t3);
+    vec3 D_s = max(t1 + t2, vec3(1.1754944e-38));
+    vec3 D_p = t3 + t4;
+    vec3 R_s = (t1 - t2) / D_s;
+    vec3 R_p = R_s * ((t3 - t4) / D_p);
+    return (R_s + R_p) / 2.0;
 }
-`, [conductorFast]);
+`, []);
 
 export const conductorFastRgbDir = /*@__PURE__*/ native(/* wgsl */ `
 fn conductor_fast_rgb_dir(n_i: f32, n_t: vec3f, k_t: vec3f, normal: vec3f, direction: vec3f) -> vec3f {
@@ -1575,7 +1723,7 @@ vec3 powers_3_9_rgb_dir(vec3 f0, vec3 normal, vec3 direction) {
 export const powers369 = /*@__PURE__*/ native(/* wgsl */ `
 // Three powers with coefficients in sqrt(f0), a tenth of Schlick's error on dielectrics.
 //
-//   F = f0 + y (p + y (q + y r)), y = (1 - cos_i)^3, p and q linear in sqrt(f0) and f0, 
+//   F = f0 + y (p + y (q + y r)), y = (1 - cos_i)^3, p and q linear in sqrt(f0) and f0,
 //   p + q + r = 1 - f0
 //
 // f0      reflectance at normal incidence, [0, 1]
@@ -1595,7 +1743,7 @@ fn powers_3_6_9(f0: f32, cos_i: f32) -> f32 {
 `, /* glsl */ `
 // Three powers with coefficients in sqrt(f0), a tenth of Schlick's error on dielectrics.
 //
-//   F = f0 + y (p + y (q + y r)), y = (1 - cos_i)^3, p and q linear in sqrt(f0) and f0, 
+//   F = f0 + y (p + y (q + y r)), y = (1 - cos_i)^3, p and q linear in sqrt(f0) and f0,
 //   p + q + r = 1 - f0
 //
 // f0      reflectance at normal incidence, [0, 1]
@@ -1757,7 +1905,7 @@ vec3 constant_rgb_dir(vec3 f0, vec3 normal, vec3 direction) {
 export const airConductor = /*@__PURE__*/ native(/* wgsl */ `
 // The classic approximation for metals, without a square root.
 //
-//   R_s = ((n - c)^2 + k^2) / ((n + c)^2 + k^2), 
+//   R_s = ((n - c)^2 + k^2) / ((n + c)^2 + k^2),
 //   R_p = ((n c - 1)^2 + k^2 c^2) / ((n c + 1)^2 + k^2 c^2)
 //
 // n       index relative to the medium in front, [0.001, 1000]
@@ -1781,7 +1929,7 @@ fn air_conductor(n: f32, k: f32, cos_i: f32) -> f32 {
 `, /* glsl */ `
 // The classic approximation for metals, without a square root.
 //
-//   R_s = ((n - c)^2 + k^2) / ((n + c)^2 + k^2), 
+//   R_s = ((n - c)^2 + k^2) / ((n + c)^2 + k^2),
 //   R_p = ((n c - 1)^2 + k^2 c^2) / ((n c + 1)^2 + k^2 c^2)
 //
 // n       index relative to the medium in front, [0.001, 1000]
@@ -1967,25 +2115,25 @@ fn gulbrandsen(r: f32, g: f32, cos_i: f32) -> f32 {
     let c2 = cos_i * cos_i;
     let sin2 = 1.0 - c2;
     let s4 = sin2 * sin2;
-    let E = (n - 1.0) * (n + 1.0) - k * k;
-    let Z = 2.0 * (n * k);
+    let E = (n - 1.0) * (n + 1.0) - k * k; // Re m^2 - 1
+    let Z = 2.0 * (n * k); // Im m^2
     let Z2 = Z * Z;
-    let t0 = E + c2;
-    let A = sqrt(t0 * t0 + Z2);
-    let S = max(A + abs(t0), 8.881784e-16);
-    let u = sqrt(2.0 * S);
-    let a = select(S, Z, t0 < 0.0);
+    let t0 = E + c2; // q^2 = t0 + i Z
+    let A = sqrt(t0 * t0 + Z2); // |q|^2
+    let S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
+    let u = sqrt(2.0 * S); // twice the larger of Re q and Im q
+    let a = select(S, Z, t0 < 0.0); // u Re q
     let h = 2.0 * (a * cos_i);
-    let F = (E * E + Z2) * S;
+    let F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
     let G_s = (A + c2) * u + h;
-    let D_s = max(F + h * G_s, 1.1754944e-38);
+    let D_s = max(F + h * G_s, 1.1754944e-38); // |c + q|^4; 0 only for equal media at cos_i = 0
     let R_s = F / D_s;
     let h_p = h * sin2;
     let N = t0 * c2 - s4;
     let M = Z * c2;
-    let B = (N * N + M * M) * S;
+    let B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
     let G_p = (A * c2 + s4) * u + h_p;
-    let D_p = B + h_p * G_p;
+    let D_p = B + h_p * G_p; // |q c + s^2|^4
     let R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0;
 }
@@ -2012,25 +2160,25 @@ float gulbrandsen(float r, float g, float cos_i) {
     float c2 = cos_i * cos_i;
     float sin2 = 1.0 - c2;
     float s4 = sin2 * sin2;
-    float E_ = (n - 1.0) * (n + 1.0) - k * k;
-    float Z = 2.0 * (n * k);
+    float E_ = (n - 1.0) * (n + 1.0) - k * k; // Re m^2 - 1
+    float Z = 2.0 * (n * k); // Im m^2
     float Z2 = Z * Z;
-    float t0 = E_ + c2;
-    float A = sqrt(t0 * t0 + Z2);
-    float S = max(A + abs(t0), 8.881784e-16);
-    float u = sqrt(2.0 * S);
-    float a = t0 < 0.0 ? Z : S;
+    float t0 = E_ + c2; // q^2 = t0 + i Z
+    float A = sqrt(t0 * t0 + Z2); // |q|^2
+    float S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
+    float u = sqrt(2.0 * S); // twice the larger of Re q and Im q
+    float a = t0 < 0.0 ? Z : S; // u Re q
     float h = 2.0 * (a * cos_i);
-    float F = (E_ * E_ + Z2) * S;
+    float F = (E_ * E_ + Z2) * S; // |c - q|^2 |c + q|^2
     float G_s = (A + c2) * u + h;
-    float D_s = max(F + h * G_s, 1.1754944e-38);
+    float D_s = max(F + h * G_s, 1.1754944e-38); // |c + q|^4; 0 only for equal media at cos_i = 0
     float R_s = F / D_s;
     float h_p = h * sin2;
     float N = t0 * c2 - s4;
     float M = Z * c2;
-    float B = (N * N + M * M) * S;
+    float B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
     float G_p = (A * c2 + s4) * u + h_p;
-    float D_p = B + h_p * G_p;
+    float D_p = B + h_p * G_p; // |q c + s^2|^4
     float R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0;
 }

@@ -70,7 +70,7 @@ export const functions = {
     dielectric: /* glsl */ `
 // Exact reflectance between two transparent media, accurate in float everywhere.
 //
-//   R_s = E^2 / (E^2 + 4 c g (g + c)^2), R_p = R_s ((c g - s^2) / (c g + s^2))^2, E = eta^2 - 1, 
+//   R_s = E^2 / (E^2 + 4 c g (g + c)^2), R_p = R_s ((c g - s^2) / (c g + s^2))^2, E = eta^2 - 1,
 //   g^2 = E + c^2
 //
 // n_i     index in front of the surface, [0.01, 100]
@@ -82,14 +82,14 @@ export const functions = {
 float dielectric(float n_i, float n_t, float cos_i) {
     float c = n_i * cos_i;
     float s2 = n_i * (1.0 - cos_i * cos_i);
-    float E = (n_t - n_i) * (n_t + n_i);
-    float g2 = E + c * c;
-    float g = sqrt(max(g2, 1.1754944e-38));
+    float E = (n_t - n_i) * (n_t + n_i); // eta^2 - 1
+    float g2 = E + c * c; // below 0 under total internal reflection
+    float g = sqrt(max(g2, 1.1754944e-38)); // eta cos_t; so little there that R is 1
     float E2 = E * E;
     float cg = c * g;
     float a = 2.0 * (g + c);
     float a2 = a * a;
-    float D_s = max(E2 + cg * a2, 1.1754944e-38);
+    float D_s = max(E2 + cg * a2, 1.1754944e-38); // 0 only for equal media at cos_i = 0
     float R_s = E2 / D_s;
     float x = cos_i * g;
     float b = x + s2;
@@ -106,14 +106,14 @@ float dielectric(float n_i, float n_t, vec3 normal, vec3 direction) {
 vec3 dielectric(float n_i, vec3 n_t, float cos_i) {
     float c = n_i * cos_i;
     float s2 = n_i * (1.0 - cos_i * cos_i);
-    vec3 E = (n_t - n_i) * (n_t + n_i);
-    vec3 g2 = E + c * c;
-    vec3 g = sqrt(max(g2, vec3(1.1754944e-38)));
+    vec3 E = (n_t - n_i) * (n_t + n_i); // eta^2 - 1
+    vec3 g2 = E + c * c; // below 0 under total internal reflection
+    vec3 g = sqrt(max(g2, vec3(1.1754944e-38))); // eta cos_t; so little there that R is 1
     vec3 E2 = E * E;
     vec3 cg = c * g;
     vec3 a = 2.0 * (g + c);
     vec3 a2 = a * a;
-    vec3 D_s = max(E2 + cg * a2, vec3(1.1754944e-38));
+    vec3 D_s = max(E2 + cg * a2, vec3(1.1754944e-38)); // 0 only for equal media at cos_i = 0
     vec3 R_s = E2 / D_s;
     vec3 x = cos_i * g;
     vec3 b = x + s2;
@@ -130,14 +130,14 @@ vec3 dielectric(float n_i, vec3 n_t, vec3 normal, vec3 direction) {
 fresnel_boundary dielectric_boundary(float n_i, float n_t, float cos_i) {
     float c = n_i * cos_i;
     float s2 = n_i * (1.0 - cos_i * cos_i);
-    float E = (n_t - n_i) * (n_t + n_i);
-    float g2 = E + c * c;
-    float g = sqrt(max(g2, 1.1754944e-38));
+    float E = (n_t - n_i) * (n_t + n_i); // eta^2 - 1
+    float g2 = E + c * c; // below 0 under total internal reflection
+    float g = sqrt(max(g2, 1.1754944e-38)); // eta cos_t; so little there that R is 1
     float E2 = E * E;
     float cg = c * g;
     float a = 2.0 * (g + c);
     float a2 = a * a;
-    float D_s = max(E2 + cg * a2, 1.1754944e-38);
+    float D_s = max(E2 + cg * a2, 1.1754944e-38); // 0 only for equal media at cos_i = 0
     float R_s = E2 / D_s;
     float x = cos_i * g;
     float b = x + s2;
@@ -170,25 +170,25 @@ float conductor(float n_i, float n_t, float k_t, float cos_i) {
     float sin2 = 1.0 - cos2;
     float s2 = n_i * sin2;
     float s4 = s2 * s2;
-    float E = (n_t - n_i) * (n_t + n_i) - k_t * k_t;
-    float Z = 2.0 * (n_t * k_t);
+    float E = (n_t - n_i) * (n_t + n_i) - k_t * k_t; // Re m^2 - 1
+    float Z = 2.0 * (n_t * k_t); // Im m^2
     float Z2 = Z * Z;
-    float t0 = E + c2;
-    float A = sqrt(t0 * t0 + Z2);
-    float S = max(A + abs(t0), 8.881784e-16);
-    float u = sqrt(2.0 * S);
-    float a = t0 < 0.0 ? Z : S;
+    float t0 = E + c2; // q^2 = t0 + i Z
+    float A = sqrt(t0 * t0 + Z2); // |q|^2
+    float S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
+    float u = sqrt(2.0 * S); // twice the larger of Re q and Im q
+    float a = t0 < 0.0 ? Z : S; // u Re q
     float h = 2.0 * (a * c);
-    float F = (E * E + Z2) * S;
+    float F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
     float G_s = (A + c2) * u + h;
-    float D_s = max(F + h * G_s, 1.1754944e-38);
+    float D_s = max(F + h * G_s, 1.1754944e-38); // |c + q|^4; 0 only for equal media at cos_i = 0
     float R_s = F / D_s;
     float h_p = h * sin2;
     float N = t0 * cos2 - s4;
     float M = Z * cos2;
-    float B = (N * N + M * M) * S;
+    float B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
     float G_p = (A * cos2 + s4) * u + h_p;
-    float D_p = B + h_p * G_p;
+    float D_p = B + h_p * G_p; // |q c + s^2|^4
     float R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0;
 }
@@ -215,25 +215,25 @@ fresnel_boundary conductor_boundary(float n_i, float n_t, float k_t, float cos_i
     float sin2 = 1.0 - cos2;
     float s2 = n_i * sin2;
     float s4 = s2 * s2;
-    float E = (n_t - n_i) * (n_t + n_i) - k_t * k_t;
-    float Z = 2.0 * (n_t * k_t);
+    float E = (n_t - n_i) * (n_t + n_i) - k_t * k_t; // Re m^2 - 1
+    float Z = 2.0 * (n_t * k_t); // Im m^2
     float Z2 = Z * Z;
-    float t0 = E + c2;
-    float A = sqrt(t0 * t0 + Z2);
-    float S = max(A + abs(t0), 8.881784e-16);
-    float u = sqrt(2.0 * S);
-    float a = t0 < 0.0 ? Z : S;
+    float t0 = E + c2; // q^2 = t0 + i Z
+    float A = sqrt(t0 * t0 + Z2); // |q|^2
+    float S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
+    float u = sqrt(2.0 * S); // twice the larger of Re q and Im q
+    float a = t0 < 0.0 ? Z : S; // u Re q
     float h = 2.0 * (a * c);
-    float F = (E * E + Z2) * S;
+    float F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
     float G_s = (A + c2) * u + h;
-    float D_s = max(F + h * G_s, 1.1754944e-38);
+    float D_s = max(F + h * G_s, 1.1754944e-38); // |c + q|^4; 0 only for equal media at cos_i = 0
     float R_s = F / D_s;
     float h_p = h * sin2;
     float N = t0 * cos2 - s4;
     float M = Z * cos2;
-    float B = (N * N + M * M) * S;
+    float B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
     float G_p = (A * cos2 + s4) * u + h_p;
-    float D_p = B + h_p * G_p;
+    float D_p = B + h_p * G_p; // |q c + s^2|^4
     float R_p = R_s * (B / D_p);
     float T_s = F <= 0.0 ? 1.0 - R_s : h * (G_s / D_s);
     float T_p = T_s + R_s * (h_p * (G_p / D_p));
@@ -250,7 +250,7 @@ fresnel_boundary conductor_boundary(float n_i, float n_t, float k_t, float cos_i
 // n_t     index behind it, [0.001, 1000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 4e-6 for eta > 1.05, no digit left at 1 +- 1e-6
-// cost    32 operations
+// cost    31 operations
 // source  Cook and Torrance 1982
 float dielectric_fast(float n_i, float n_t, float cos_i) {
     float c = n_i * cos_i;
@@ -261,10 +261,10 @@ float dielectric_fast(float n_i, float n_t, float cos_i) {
     float x = cos_i * g;
     float a = g + c;
     float b = x + s2;
-    float r_s = g2 <= 0.0 ? 1.0 : (g - c) / a;
-    float q = g2 <= 0.0 ? 1.0 : (x - s2) / b;
+    float r_s = (g - c) / a;
+    float q = (x - s2) / b;
     float r_s2 = r_s * r_s;
-    return (r_s2 + r_s2 * (q * q)) / 2.0;
+    return g2 <= 0.0 ? 1.0 : (r_s2 + r_s2 * (q * q)) / 2.0;
 }
 
 float dielectric_fast(float n_i, float n_t, vec3 normal, vec3 direction) {
@@ -312,7 +312,7 @@ fresnel_boundary dielectric_fast_boundary(float n_i, float n_t, float cos_i) {
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 3e-6 for metals, 1e-4 for dielectrics, no digit left near an index match
-// cost    51 operations
+// cost    50 operations
 // source  Lagarde 2013, Memo on Fresnel equations, after Shirley
 float conductor_fast(float n_i, float n_t, float k_t, float cos_i) {
     float c = n_i * cos_i;
@@ -322,9 +322,9 @@ float conductor_fast(float n_i, float n_t, float k_t, float cos_i) {
     float s2 = n_i * sin2;
     float t0 = n_t * n_t - n_i * s2 - k_t * k_t;
     float nk2 = 2.0 * (n_t * k_t);
-    float A = sqrt(t0 * t0 + nk2 * nk2);
-    float a2 = 2.0 * (A + t0);
-    float a = a2 <= 0.0 ? 0.0 : sqrt(a2);
+    float A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
+    float a2 = 2.0 * (A + t0); // (2 a)^2
+    float a = sqrt(max(a2, 0.0));
     float t1 = A + c2;
     float t2 = min(a * c, t1);
     float t3 = cos2 * A + s2 * s2;
@@ -342,8 +342,25 @@ float conductor_fast(float n_i, float n_t, float k_t, vec3 normal, vec3 directio
 
 // The same for three channels, which share the angle.
 vec3 conductor_fast(float n_i, vec3 n_t, vec3 k_t, float cos_i) {
-    return vec3(conductor_fast(n_i, n_t.x, k_t.x, cos_i), conductor_fast(n_i, n_t.y, k_t.y, cos_i),
-            conductor_fast(n_i, n_t.z, k_t.z, cos_i));
+    float c = n_i * cos_i;
+    float c2 = c * c;
+    float cos2 = cos_i * cos_i;
+    float sin2 = 1.0 - cos2;
+    float s2 = n_i * sin2;
+    vec3 t0 = n_t * n_t - n_i * s2 - k_t * k_t;
+    vec3 nk2 = 2.0 * (n_t * k_t);
+    vec3 A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
+    vec3 a2 = 2.0 * (A + t0); // (2 a)^2
+    vec3 a = sqrt(max(a2, vec3(0.0)));
+    vec3 t1 = A + c2;
+    vec3 t2 = min(a * c, t1);
+    vec3 t3 = cos2 * A + s2 * s2;
+    vec3 t4 = min(t2 * sin2, t3);
+    vec3 D_s = max(t1 + t2, vec3(1.1754944e-38));
+    vec3 D_p = t3 + t4;
+    vec3 R_s = (t1 - t2) / D_s;
+    vec3 R_p = R_s * ((t3 - t4) / D_p);
+    return (R_s + R_p) / 2.0;
 }
 
 vec3 conductor_fast(float n_i, vec3 n_t, vec3 k_t, vec3 normal, vec3 direction) {
@@ -359,9 +376,9 @@ fresnel_boundary conductor_fast_boundary(float n_i, float n_t, float k_t, float 
     float s2 = n_i * sin2;
     float t0 = n_t * n_t - n_i * s2 - k_t * k_t;
     float nk2 = 2.0 * (n_t * k_t);
-    float A = sqrt(t0 * t0 + nk2 * nk2);
-    float a2 = 2.0 * (A + t0);
-    float a = a2 <= 0.0 ? 0.0 : sqrt(a2);
+    float A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
+    float a2 = 2.0 * (A + t0); // (2 a)^2
+    float a = sqrt(max(a2, 0.0));
     float t1 = A + c2;
     float t2 = min(a * c, t1);
     float t3 = cos2 * A + s2 * s2;
@@ -950,7 +967,7 @@ vec3 powers_3_9(vec3 f0, vec3 normal, vec3 direction) {
     powers_3_6_9: /* glsl */ `
 // Three powers with coefficients in sqrt(f0), a tenth of Schlick's error on dielectrics.
 //
-//   F = f0 + y (p + y (q + y r)), y = (1 - cos_i)^3, p and q linear in sqrt(f0) and f0, 
+//   F = f0 + y (p + y (q + y r)), y = (1 - cos_i)^3, p and q linear in sqrt(f0) and f0,
 //   p + q + r = 1 - f0
 //
 // f0      reflectance at normal incidence, [0, 1]
@@ -1037,7 +1054,7 @@ vec3 constant(vec3 f0, vec3 normal, vec3 direction) {
     air_conductor: /* glsl */ `
 // The classic approximation for metals, without a square root.
 //
-//   R_s = ((n - c)^2 + k^2) / ((n + c)^2 + k^2), 
+//   R_s = ((n - c)^2 + k^2) / ((n + c)^2 + k^2),
 //   R_p = ((n c - 1)^2 + k^2 c^2) / ((n c + 1)^2 + k^2 c^2)
 //
 // n       index relative to the medium in front, [0.001, 1000]
@@ -1148,25 +1165,25 @@ float gulbrandsen(float r, float g, float cos_i) {
     float c2 = cos_i * cos_i;
     float sin2 = 1.0 - c2;
     float s4 = sin2 * sin2;
-    float E = (n - 1.0) * (n + 1.0) - k * k;
-    float Z = 2.0 * (n * k);
+    float E = (n - 1.0) * (n + 1.0) - k * k; // Re m^2 - 1
+    float Z = 2.0 * (n * k); // Im m^2
     float Z2 = Z * Z;
-    float t0 = E + c2;
-    float A = sqrt(t0 * t0 + Z2);
-    float S = max(A + abs(t0), 8.881784e-16);
-    float u = sqrt(2.0 * S);
-    float a = t0 < 0.0 ? Z : S;
+    float t0 = E + c2; // q^2 = t0 + i Z
+    float A = sqrt(t0 * t0 + Z2); // |q|^2
+    float S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
+    float u = sqrt(2.0 * S); // twice the larger of Re q and Im q
+    float a = t0 < 0.0 ? Z : S; // u Re q
     float h = 2.0 * (a * cos_i);
-    float F = (E * E + Z2) * S;
+    float F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
     float G_s = (A + c2) * u + h;
-    float D_s = max(F + h * G_s, 1.1754944e-38);
+    float D_s = max(F + h * G_s, 1.1754944e-38); // |c + q|^4; 0 only for equal media at cos_i = 0
     float R_s = F / D_s;
     float h_p = h * sin2;
     float N = t0 * c2 - s4;
     float M = Z * c2;
-    float B = (N * N + M * M) * S;
+    float B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
     float G_p = (A * c2 + s4) * u + h_p;
-    float D_p = B + h_p * G_p;
+    float D_p = B + h_p * G_p; // |q c + s^2|^4
     float R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0;
 }

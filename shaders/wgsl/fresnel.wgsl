@@ -97,6 +97,60 @@ fn eta_from_f0(f0: f32) -> f32 {
     return t * t / (1.0 - f0);
 }
 
+// ---- highlights and thin layers ------------------------------------------------------------------------------
+
+// The lobe of Phong's highlight, to be multiplied by the reflectance.
+//
+//   max(cos_r, 0)^shininess
+//
+// cos_r     cosine between the view and the mirrored light, [-1, 1]
+// shininess sharpness, above 0
+fn phong_lobe(cos_r: f32, shininess: f32) -> f32 {
+    return pow(max(cos_r, 0.0), shininess);
+}
+
+// Opacity by reflection: from the user's value to 1 at the silhouette.
+//
+//   a0 + (1 - a0) (1 - cos_i)^5
+//
+// a0        opacity by reflection seen along the normal, [0, 1]
+// cos_i     cosine between view and normal, [0, 1]
+fn opacity_fresnel(a0: f32, cos_i: f32) -> f32 {
+    let m = 1.0 - cos_i;
+    let m2 = m * m;
+    return a0 + (1.0 - a0) * (m2 * m2 * m);
+}
+
+// Opacity by attenuation in a thin layer, in proportion to the path through it.
+//
+//   min(1, a / cos_i)
+//
+// a         opacity by attenuation seen along the normal, [0, 1]
+// cos_i     cosine between view and normal, [0, 1]
+fn opacity_silhouette(a: f32, cos_i: f32) -> f32 {
+    return select(min(a / cos_i, 1.0), select(a, 1.0, a > 0.0), cos_i <= 0.0);
+}
+
+// The opacity by attenuation that gives a layer a total opacity; negative where there is none.
+//
+//   (total - fresnel) / (1 - fresnel)
+//
+// total     opacity of the whole, [0, 1]
+// fresnel   opacity by reflection, [0, 1)
+fn opacity_attenuation(total: f32, fresnel: f32) -> f32 {
+    return (total - fresnel) / (1.0 - fresnel);
+}
+
+// Opacity of a layer that attenuates and reflects.
+//
+//   1 - (1 - attenuation) (1 - fresnel)
+//
+// attenuation opacity by attenuation, [0, 1]
+// fresnel   opacity by reflection, [0, 1]
+fn opacity_total(attenuation: f32, fresnel: f32) -> f32 {
+    return attenuation + fresnel * (1.0 - attenuation);
+}
+
 // ---- exact ---------------------------------------------------------------------------------------------------
 
 // Exact reflectance between two transparent media, accurate in float everywhere.
@@ -277,7 +331,7 @@ fn conductor_boundary(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> fresnel_bound
 // n_t     index behind it, [0.001, 1000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 4e-6 for eta > 1.05, no digit left at 1 +- 1e-6
-// cost    32 operations
+// cost    31 operations
 // source  Cook and Torrance 1982
 fn dielectric_fast(n_i: f32, n_t: f32, cos_i: f32) -> f32 {
     let c = n_i * cos_i;
@@ -288,10 +342,10 @@ fn dielectric_fast(n_i: f32, n_t: f32, cos_i: f32) -> f32 {
     let x = cos_i * g;
     let a = g + c;
     let b = x + s2;
-    let r_s = select((g - c) / a, 1.0, g2 <= 0.0);
-    let q = select((x - s2) / b, 1.0, g2 <= 0.0);
+    let r_s = (g - c) / a;
+    let q = (x - s2) / b;
     let r_s2 = r_s * r_s;
-    return (r_s2 + r_s2 * (q * q)) / 2.0;
+    return select((r_s2 + r_s2 * (q * q)) / 2.0, 1.0, g2 <= 0.0);
 }
 
 fn dielectric_fast_dir(n_i: f32, n_t: f32, normal: vec3f, direction: vec3f) -> f32 {
@@ -337,7 +391,7 @@ fn dielectric_fast_boundary(n_i: f32, n_t: f32, cos_i: f32) -> fresnel_boundary 
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 3e-6 for metals, 1e-4 for dielectrics, no digit left near an index match
-// cost    51 operations
+// cost    50 operations
 // source  Lagarde 2013, Memo on Fresnel equations, after Shirley
 fn conductor_fast(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let c = n_i * cos_i;
@@ -349,7 +403,7 @@ fn conductor_fast(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let nk2 = 2.0 * (n_t * k_t);
     let A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
     let a2 = 2.0 * (A + t0); // (2 a)^2
-    let a = select(sqrt(a2), 0.0, a2 <= 0.0);
+    let a = sqrt(max(a2, 0.0));
     let t1 = A + c2;
     let t2 = min(a * c, t1);
     let t3 = cos2 * A + s2 * s2;
@@ -367,8 +421,25 @@ fn conductor_fast_dir(n_i: f32, n_t: f32, k_t: f32, normal: vec3f, direction: ve
 
 // The same for three channels, which share the angle.
 fn conductor_fast_rgb(n_i: f32, n_t: vec3f, k_t: vec3f, cos_i: f32) -> vec3f {
-    return vec3f(conductor_fast(n_i, n_t.x, k_t.x, cos_i), conductor_fast(n_i, n_t.y, k_t.y, cos_i),
-            conductor_fast(n_i, n_t.z, k_t.z, cos_i));
+    let c = n_i * cos_i;
+    let c2 = c * c;
+    let cos2 = cos_i * cos_i;
+    let sin2 = 1.0 - cos2;
+    let s2 = n_i * sin2;
+    let t0 = n_t * n_t - n_i * s2 - k_t * k_t;
+    let nk2 = 2.0 * (n_t * k_t);
+    let A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
+    let a2 = 2.0 * (A + t0); // (2 a)^2
+    let a = sqrt(max(a2, vec3f(0.0)));
+    let t1 = A + c2;
+    let t2 = min(a * c, t1);
+    let t3 = cos2 * A + s2 * s2;
+    let t4 = min(t2 * sin2, t3);
+    let D_s = max(t1 + t2, vec3f(1.1754944e-38));
+    let D_p = t3 + t4;
+    let R_s = (t1 - t2) / D_s;
+    let R_p = R_s * ((t3 - t4) / D_p);
+    return (R_s + R_p) / 2.0;
 }
 
 fn conductor_fast_rgb_dir(n_i: f32, n_t: vec3f, k_t: vec3f, normal: vec3f, direction: vec3f) -> vec3f {
@@ -386,7 +457,7 @@ fn conductor_fast_boundary(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> fresnel_
     let nk2 = 2.0 * (n_t * k_t);
     let A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
     let a2 = 2.0 * (A + t0); // (2 a)^2
-    let a = select(sqrt(a2), 0.0, a2 <= 0.0);
+    let a = sqrt(max(a2, 0.0));
     let t1 = A + c2;
     let t2 = min(a * c, t1);
     let t3 = cos2 * A + s2 * s2;

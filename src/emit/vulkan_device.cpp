@@ -336,7 +336,7 @@ private:
         }
         require(read_texts_(device_, &info, &count, all.data()), "reading the texts");
         for (std::uint32_t i = 0; i < count; ++i)
-            if (std::string_view(all[i].name) == "Assembly") return texts[i].c_str();
+            if (std::string_view(all[i].name) == "Assembly") return texts[i].substr(0, texts[i].find(char{}));
         return {};
     }
 

@@ -1,0 +1,1495 @@
+// Fresnel reflectance in Open Shading Language. Made by `fresnel shader --all --lang osl`; do not edit.
+//
+// eta = n_t / n_i, the index behind the surface over the one in front of it; a complex index is n + i k.
+// cos_i is the cosine of incidence, in [0, 1]. Directions are unit vectors and point away from the surface;
+// which one stands beside the normal is yours: the view, the light or the half vector with either.
+// Reflectance is of unpolarised light and lies in [0, 1]. RGB values are linear.
+
+#ifndef FRESNEL_OSL
+#define FRESNEL_OSL
+
+struct fresnel_boundary {
+    float R_s;
+    float R_p;
+    float T_s;
+    float T_p;
+};
+
+// The cosine between two directions, 0 where they lie on opposite sides.
+//
+// normal    unit
+// direction where the light comes from, or the eye is; unit, on the side of normal
+float incidence_cosine(vector normal_, vector direction) {
+    return clamp(dot(normal_, direction), 0.0, 1.0);
+}
+
+// ---- directions, angles and indices --------------------------------------------------------------------------
+
+// The mirror direction, on the side of normal.
+//
+//   r = 2 (n . v) n - v
+//
+// direction where the light comes from, or the eye is; unit, on the side of normal
+// normal    unit
+vector reflected_direction(vector direction, vector normal_) {
+    return 2.0 * dot(normal_, direction) * normal_ - direction;
+}
+
+// The refracted direction, on the other side of normal; the zero vector beyond the critical angle.
+//
+//   t = -(v - cos_i n) / eta - cos_t n
+//
+// direction where the light comes from, or the eye is; unit, on the side of normal
+// normal    unit
+// eta       n_t / n_i, above 0
+vector refracted_direction(vector direction, vector normal_, float eta) {
+    float cos_i = dot(normal_, direction);
+    float g2 = (eta - 1.0) * (eta + 1.0) + cos_i * cos_i;
+    float cos_t = g2 <= 0.0 ? 0.0 : min(sqrt(g2) / eta, 1.0);
+    float scale = g2 < 0.0 ? 0.0 : 1.0 / eta;
+    float down = g2 < 0.0 ? 0.0 : cos_t;
+    return -scale * (direction - cos_i * normal_) - down * normal_;
+}
+
+// Snell's law: cosine of the transmitted ray, 0 beyond the critical angle.
+//
+//   cos_t = sqrt(eta^2 - 1 + cos_i^2) / eta
+//
+// eta       n_t / n_i, above 0
+// cos_i     cosine of incidence, [0, 1]
+float refracted_cosine(float eta, float cos_i) {
+    float g2 = (eta - 1.0) * (eta + 1.0) + cos_i * cos_i;
+    return g2 <= 0.0 ? 0.0 : min(sqrt(g2) / eta, 1.0);
+}
+
+// Cosine of the critical angle, beyond which everything is reflected; 0 where there is none.
+//
+//   cos_c = sqrt(1 - eta^2)
+//
+// eta       n_t / n_i, above 0
+float critical_cosine(float eta) {
+    return eta < 1.0 ? sqrt((1.0 - eta) * (1.0 + eta)) : 0.0;
+}
+
+// Cosine of Brewster's angle, at which p-polarised light is not reflected.
+//
+//   cos_B = 1 / sqrt(1 + eta^2)
+//
+// eta       n_t / n_i, above 0
+float brewster_cosine(float eta) {
+    return 1.0 / sqrt(1.0 + eta * eta);
+}
+
+// Reflectance at normal incidence.
+//
+//   f0 = ((eta - 1) / (eta + 1))^2
+//
+// eta       n_t / n_i, above 0
+float f0_from_eta(float eta) {
+    float t = (eta - 1.0) / (eta + 1.0);
+    return t * t;
+}
+
+// The relative index above 1 that has this f0.
+//
+//   eta = (1 + sqrt f0) / (1 - sqrt f0) = (1 + sqrt f0)^2 / (1 - f0)
+//
+// f0        reflectance at normal incidence, [0, 1)
+float eta_from_f0(float f0) {
+    float t = 1.0 + sqrt(f0);
+    return t * t / (1.0 - f0);
+}
+
+// ---- highlights and thin layers ------------------------------------------------------------------------------
+
+// The lobe of Phong's highlight, to be multiplied by the reflectance.
+//
+//   max(cos_r, 0)^shininess
+//
+// cos_r     cosine between the view and the mirrored light, [-1, 1]
+// shininess sharpness, above 0
+float phong_lobe(float cos_r, float shininess) {
+    return pow(max(cos_r, 0.0), shininess);
+}
+
+// Opacity by reflection: from the user's value to 1 at the silhouette.
+//
+//   a0 + (1 - a0) (1 - cos_i)^5
+//
+// a0        opacity by reflection seen along the normal, [0, 1]
+// cos_i     cosine between view and normal, [0, 1]
+float opacity_fresnel(float a0, float cos_i) {
+    float m = 1.0 - cos_i;
+    float m2 = m * m;
+    return a0 + (1.0 - a0) * (m2 * m2 * m);
+}
+
+// Opacity by attenuation in a thin layer, in proportion to the path through it.
+//
+//   min(1, a / cos_i)
+//
+// a         opacity by attenuation seen along the normal, [0, 1]
+// cos_i     cosine between view and normal, [0, 1]
+float opacity_silhouette(float a, float cos_i) {
+    return cos_i <= 0.0 ? (a > 0.0 ? 1.0 : a) : min(a / cos_i, 1.0);
+}
+
+// The opacity by attenuation that gives a layer a total opacity; negative where there is none.
+//
+//   (total - fresnel) / (1 - fresnel)
+//
+// total     opacity of the whole, [0, 1]
+// fresnel   opacity by reflection, [0, 1)
+float opacity_attenuation(float total, float fresnel) {
+    return (total - fresnel) / (1.0 - fresnel);
+}
+
+// Opacity of a layer that attenuates and reflects.
+//
+//   1 - (1 - attenuation) (1 - fresnel)
+//
+// attenuation opacity by attenuation, [0, 1]
+// fresnel   opacity by reflection, [0, 1]
+float opacity_total(float attenuation, float fresnel) {
+    return attenuation + fresnel * (1.0 - attenuation);
+}
+
+// ---- exact ---------------------------------------------------------------------------------------------------
+
+// Exact reflectance between two transparent media, accurate in float everywhere.
+//
+//   R_s = E^2 / (E^2 + 4 c g (g + c)^2), R_p = R_s ((c g - s^2) / (c g + s^2))^2, E = eta^2 - 1,
+//   g^2 = E + c^2
+//
+// n_i     index in front of the surface, [0.01, 100]
+// n_t     index behind it, [0.001, 1000]
+// cos_i   cosine of incidence, [0, 1]
+// error   rounding only, in float relative 2e-6, up to 6e-2 at a critical angle
+// cost    37 operations
+// source  Fresnel 1823
+float dielectric(float n_i, float n_t, float cos_i) {
+    float c = n_i * cos_i;
+    float s2 = n_i * (1.0 - cos_i * cos_i);
+    float E = (n_t - n_i) * (n_t + n_i); // eta^2 - 1
+    float g2 = E + c * c; // below 0 under total internal reflection
+    float g = sqrt(max(g2, 1.1754944e-38)); // eta cos_t; so little there that R is 1
+    float E2 = E * E;
+    float cg = c * g;
+    float a = 2.0 * (g + c);
+    float a2 = a * a;
+    float D_s = max(E2 + cg * a2, 1.1754944e-38); // 0 only for equal media at cos_i = 0
+    float R_s = E2 / D_s;
+    float x = cos_i * g;
+    float b = x + s2;
+    float q = (x - s2) / b;
+    float R_p = R_s * (q * q);
+    return (R_s + R_p) / 2.0;
+}
+
+float dielectric(float n_i, float n_t, vector normal_, vector direction) {
+    return dielectric(n_i, n_t, incidence_cosine(normal_, direction));
+}
+
+// The same for three channels, which share the angle.
+color dielectric(float n_i, color n_t, float cos_i) {
+    float c = n_i * cos_i;
+    float s2 = n_i * (1.0 - cos_i * cos_i);
+    color E = (n_t - n_i) * (n_t + n_i); // eta^2 - 1
+    color g2 = E + c * c; // below 0 under total internal reflection
+    color g = sqrt(max(g2, color(1.1754944e-38))); // eta cos_t; so little there that R is 1
+    color E2 = E * E;
+    color cg = c * g;
+    color a = 2.0 * (g + c);
+    color a2 = a * a;
+    color D_s = max(E2 + cg * a2, color(1.1754944e-38)); // 0 only for equal media at cos_i = 0
+    color R_s = E2 / D_s;
+    color x = cos_i * g;
+    color b = x + s2;
+    color q = (x - s2) / b;
+    color R_p = R_s * (q * q);
+    return (R_s + R_p) / 2.0;
+}
+
+color dielectric(float n_i, color n_t, vector normal_, vector direction) {
+    return dielectric(n_i, n_t, incidence_cosine(normal_, direction));
+}
+
+// Reflectances and transmittances of both polarisations.
+fresnel_boundary dielectric_boundary(float n_i, float n_t, float cos_i) {
+    float c = n_i * cos_i;
+    float s2 = n_i * (1.0 - cos_i * cos_i);
+    float E = (n_t - n_i) * (n_t + n_i); // eta^2 - 1
+    float g2 = E + c * c; // below 0 under total internal reflection
+    float g = sqrt(max(g2, 1.1754944e-38)); // eta cos_t; so little there that R is 1
+    float E2 = E * E;
+    float cg = c * g;
+    float a = 2.0 * (g + c);
+    float a2 = a * a;
+    float D_s = max(E2 + cg * a2, 1.1754944e-38); // 0 only for equal media at cos_i = 0
+    float R_s = E2 / D_s;
+    float x = cos_i * g;
+    float b = x + s2;
+    float q = (x - s2) / b;
+    float R_p = R_s * (q * q);
+    float through_s = g2 <= 0.0 ? 0.0 : cg * (a2 / D_s);
+    float through_p = g2 <= 0.0 ? 0.0 : 4.0 * (x * s2) / (b * b);
+    float T_s = E2 <= 0.0 ? 1.0 - R_s : through_s;
+    float T_p = T_s + R_s * through_p;
+    fresnel_boundary result = {R_s, R_p, min(T_s, 1.0), min(T_p, 1.0)};
+    return result;
+}
+
+// Exact reflectance of an absorbing medium seen from a transparent one, accurate in float everywhere.
+//
+//   R_s = |c - q|^2 / |c + q|^2, R_p = R_s |q c - s^2|^2 / |q c + s^2|^2, q^2 = (n + i k)^2 - s^2
+//
+// n_i     index in front of the surface, [0.01, 100]
+// n_t     index behind it, [0.001, 1000]
+// k_t     its imaginary part, [0, 10000]
+// cos_i   cosine of incidence, [0, 1]
+// error   rounding only, in float relative 2e-6, up to 6e-2 at a critical angle of k_t = 0
+// cost    66 operations
+// source  Born and Wolf 1999, Principles of Optics, sec. 14.2
+float conductor(float n_i, float n_t, float k_t, float cos_i) {
+    float c = n_i * cos_i;
+    float c2 = c * c;
+    float cos2 = cos_i * cos_i;
+    float sin2 = 1.0 - cos2;
+    float s2 = n_i * sin2;
+    float s4 = s2 * s2;
+    float E = (n_t - n_i) * (n_t + n_i) - k_t * k_t; // Re m^2 - 1
+    float Z = 2.0 * (n_t * k_t); // Im m^2
+    float Z2 = Z * Z;
+    float t0 = E + c2; // q^2 = t0 + i Z
+    float A = sqrt(t0 * t0 + Z2); // |q|^2
+    float S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
+    float u_ = sqrt(2.0 * S); // twice the larger of Re q and Im q
+    float a = t0 < 0.0 ? Z : S; // u Re q
+    float h = 2.0 * (a * c);
+    float F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
+    float G_s = (A + c2) * u_ + h;
+    float D_s = max(F + h * G_s, 1.1754944e-38); // |c + q|^4; 0 only for equal media at cos_i = 0
+    float R_s = F / D_s;
+    float h_p = h * sin2;
+    float N_ = t0 * cos2 - s4;
+    float M = Z * cos2;
+    float B = (N_ * N_ + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
+    float G_p = (A * cos2 + s4) * u_ + h_p;
+    float D_p = B + h_p * G_p; // |q c + s^2|^4
+    float R_p = R_s * (B / D_p);
+    return (R_s + R_p) / 2.0;
+}
+
+float conductor(float n_i, float n_t, float k_t, vector normal_, vector direction) {
+    return conductor(n_i, n_t, k_t, incidence_cosine(normal_, direction));
+}
+
+// The same for three channels, which share the angle.
+color conductor(float n_i, color n_t, color k_t, float cos_i) {
+    return color(conductor(n_i, n_t[0], k_t[0], cos_i), conductor(n_i, n_t[1], k_t[1], cos_i),
+            conductor(n_i, n_t[2], k_t[2], cos_i));
+}
+
+color conductor(float n_i, color n_t, color k_t, vector normal_, vector direction) {
+    return conductor(n_i, n_t, k_t, incidence_cosine(normal_, direction));
+}
+
+// Reflectances and transmittances of both polarisations.
+fresnel_boundary conductor_boundary(float n_i, float n_t, float k_t, float cos_i) {
+    float c = n_i * cos_i;
+    float c2 = c * c;
+    float cos2 = cos_i * cos_i;
+    float sin2 = 1.0 - cos2;
+    float s2 = n_i * sin2;
+    float s4 = s2 * s2;
+    float E = (n_t - n_i) * (n_t + n_i) - k_t * k_t; // Re m^2 - 1
+    float Z = 2.0 * (n_t * k_t); // Im m^2
+    float Z2 = Z * Z;
+    float t0 = E + c2; // q^2 = t0 + i Z
+    float A = sqrt(t0 * t0 + Z2); // |q|^2
+    float S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
+    float u_ = sqrt(2.0 * S); // twice the larger of Re q and Im q
+    float a = t0 < 0.0 ? Z : S; // u Re q
+    float h = 2.0 * (a * c);
+    float F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
+    float G_s = (A + c2) * u_ + h;
+    float D_s = max(F + h * G_s, 1.1754944e-38); // |c + q|^4; 0 only for equal media at cos_i = 0
+    float R_s = F / D_s;
+    float h_p = h * sin2;
+    float N_ = t0 * cos2 - s4;
+    float M = Z * cos2;
+    float B = (N_ * N_ + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
+    float G_p = (A * cos2 + s4) * u_ + h_p;
+    float D_p = B + h_p * G_p; // |q c + s^2|^4
+    float R_p = R_s * (B / D_p);
+    float T_s = F <= 0.0 ? 1.0 - R_s : h * (G_s / D_s);
+    float T_p = T_s + R_s * (h_p * (G_p / D_p));
+    fresnel_boundary result = {R_s, R_p, min(T_s, 1.0), min(T_p, 1.0)};
+    return result;
+}
+
+// Exact reflectance between two transparent media in the fewest operations.
+//
+//   R_s = ((g - c) / (g + c))^2, R_p = R_s ((c g - s^2) / (c g + s^2))^2, g^2 = eta^2 - 1 + c^2
+//
+// n_i     index in front of the surface, [0.01, 100]
+// n_t     index behind it, [0.001, 1000]
+// cos_i   cosine of incidence, [0, 1]
+// error   rounding only, in float relative 4e-6 for eta > 1.05, no digit left at 1 +- 1e-6
+// cost    31 operations
+// source  Cook and Torrance 1982
+float dielectric_fast(float n_i, float n_t, float cos_i) {
+    float c = n_i * cos_i;
+    float sin2 = 1.0 - cos_i * cos_i;
+    float s2 = n_i * sin2;
+    float g2 = n_t * n_t - n_i * s2;
+    float g = sqrt(g2);
+    float x = cos_i * g;
+    float a = g + c;
+    float b = x + s2;
+    float r_s = (g - c) / a;
+    float q = (x - s2) / b;
+    float r_s2 = r_s * r_s;
+    return g2 <= 0.0 ? 1.0 : (r_s2 + r_s2 * (q * q)) / 2.0;
+}
+
+float dielectric_fast(float n_i, float n_t, vector normal_, vector direction) {
+    return dielectric_fast(n_i, n_t, incidence_cosine(normal_, direction));
+}
+
+// The same for three channels, which share the angle.
+color dielectric_fast(float n_i, color n_t, float cos_i) {
+    return color(dielectric_fast(n_i, n_t[0], cos_i), dielectric_fast(n_i, n_t[1], cos_i),
+            dielectric_fast(n_i, n_t[2], cos_i));
+}
+
+color dielectric_fast(float n_i, color n_t, vector normal_, vector direction) {
+    return dielectric_fast(n_i, n_t, incidence_cosine(normal_, direction));
+}
+
+// Reflectances and transmittances of both polarisations.
+fresnel_boundary dielectric_fast_boundary(float n_i, float n_t, float cos_i) {
+    float c = n_i * cos_i;
+    float sin2 = 1.0 - cos_i * cos_i;
+    float s2 = n_i * sin2;
+    float g2 = n_t * n_t - n_i * s2;
+    float g = sqrt(g2);
+    float x = cos_i * g;
+    float a = g + c;
+    float a_2 = g2 <= 0.0 ? 1.0 : a;
+    float b = x + s2;
+    float b_2 = g2 <= 0.0 ? 1.0 : b;
+    float r_s = g2 <= 0.0 ? 1.0 : (g - c) / a;
+    float q = g2 <= 0.0 ? 1.0 : (x - s2) / b;
+    float w = g2 <= 0.0 ? 0.0 : 4.0 * (c * g);
+    float r_s2 = r_s * r_s;
+    float t = w / (a_2 * a_2);
+    fresnel_boundary result =
+            {r_s2, r_s2 * (q * q), min(t, 1.0), min(t + r_s2 * (w * sin2 / (b_2 * b_2)), 1.0)};
+    return result;
+}
+
+// Exact reflectance of an absorbing medium in the fewest operations.
+//
+//   R_s = (t1 - t2) / (t1 + t2), R_p = R_s (t3 - t4) / (t3 + t4)
+//
+// n_i     index in front of the surface, [0.01, 100]
+// n_t     index behind it, [0.001, 1000]
+// k_t     its imaginary part, [0, 10000]
+// cos_i   cosine of incidence, [0, 1]
+// error   rounding only, in float relative 3e-6 for metals, 1e-4 for dielectrics, no digit left near an index match
+// cost    50 operations
+// source  Lagarde 2013, Memo on Fresnel equations, after Shirley
+float conductor_fast(float n_i, float n_t, float k_t, float cos_i) {
+    float c = n_i * cos_i;
+    float c2 = c * c;
+    float cos2 = cos_i * cos_i;
+    float sin2 = 1.0 - cos2;
+    float s2 = n_i * sin2;
+    float t0 = n_t * n_t - n_i * s2 - k_t * k_t;
+    float nk2 = 2.0 * (n_t * k_t);
+    float A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
+    float a2 = 2.0 * (A + t0); // (2 a)^2
+    float a = sqrt(max(a2, 0.0));
+    float t1 = A + c2;
+    float t2 = min(a * c, t1);
+    float t3 = cos2 * A + s2 * s2;
+    float t4 = min(t2 * sin2, t3);
+    float D_s = max(t1 + t2, 1.1754944e-38);
+    float D_p = t3 + t4;
+    float R_s = (t1 - t2) / D_s;
+    float R_p = R_s * ((t3 - t4) / D_p);
+    return (R_s + R_p) / 2.0;
+}
+
+float conductor_fast(float n_i, float n_t, float k_t, vector normal_, vector direction) {
+    return conductor_fast(n_i, n_t, k_t, incidence_cosine(normal_, direction));
+}
+
+// The same for three channels, which share the angle.
+color conductor_fast(float n_i, color n_t, color k_t, float cos_i) {
+    float c = n_i * cos_i;
+    float c2 = c * c;
+    float cos2 = cos_i * cos_i;
+    float sin2 = 1.0 - cos2;
+    float s2 = n_i * sin2;
+    color t0 = n_t * n_t - n_i * s2 - k_t * k_t;
+    color nk2 = 2.0 * (n_t * k_t);
+    color A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
+    color a2 = 2.0 * (A + t0); // (2 a)^2
+    color a = sqrt(max(a2, color(0.0)));
+    color t1 = A + c2;
+    color t2 = min(a * c, t1);
+    color t3 = cos2 * A + s2 * s2;
+    color t4 = min(t2 * sin2, t3);
+    color D_s = max(t1 + t2, color(1.1754944e-38));
+    color D_p = t3 + t4;
+    color R_s = (t1 - t2) / D_s;
+    color R_p = R_s * ((t3 - t4) / D_p);
+    return (R_s + R_p) / 2.0;
+}
+
+color conductor_fast(float n_i, color n_t, color k_t, vector normal_, vector direction) {
+    return conductor_fast(n_i, n_t, k_t, incidence_cosine(normal_, direction));
+}
+
+// Reflectances and transmittances of both polarisations.
+fresnel_boundary conductor_fast_boundary(float n_i, float n_t, float k_t, float cos_i) {
+    float c = n_i * cos_i;
+    float c2 = c * c;
+    float cos2 = cos_i * cos_i;
+    float sin2 = 1.0 - cos2;
+    float s2 = n_i * sin2;
+    float t0 = n_t * n_t - n_i * s2 - k_t * k_t;
+    float nk2 = 2.0 * (n_t * k_t);
+    float A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
+    float a2 = 2.0 * (A + t0); // (2 a)^2
+    float a = sqrt(max(a2, 0.0));
+    float t1 = A + c2;
+    float t2 = min(a * c, t1);
+    float t3 = cos2 * A + s2 * s2;
+    float t4 = min(t2 * sin2, t3);
+    float D_s = max(t1 + t2, 1.1754944e-38);
+    float D_p = t3 + t4;
+    float R_s = (t1 - t2) / D_s;
+    float R_p = R_s * ((t3 - t4) / D_p);
+    float T_s = 2.0 * t2 / D_s;
+    float T_p = T_s + R_s * (2.0 * t4 / D_p);
+    fresnel_boundary result = {R_s, R_p, min(T_s, 1.0), min(T_p, 1.0)};
+    return result;
+}
+
+// Exact reflectance of any medium, with the two sums that cancel in twice the digits.
+//
+//   F = as conductor, with the sums that cancel in twice the digits
+//
+// n_i     index in front of the surface, [0.01, 100]
+// n_t     index behind it, [0.001, 1000]
+// k_t     its imaginary part, [0, 10000]
+// cos_i   cosine of incidence, [0, 1]
+// error   rounding only, in float relative 1e-6
+// cost    304 operations
+// source  Born and Wolf 1999; Knuth 1969; Dekker 1971
+float conductor_precise(float n_i, float n_t, float k_t, float cos_i) {
+    float n_t2 = n_t * n_t;
+    float k_t2 = k_t * k_t;
+    float t = n_t2 + (-k_t2);
+    float t_2 = t - n_t2;
+    float t_3 = 4097.0 * n_t;
+    float t_4 = t_3 - (t_3 - n_t);
+    float t_5 = n_t - t_4;
+    float t_6 = t_5 * t_4;
+    float t_7 = t_4 * t_4 - n_t2 + t_6 + t_6 + t_5 * t_5;
+    float t_8 = 4097.0 * k_t;
+    float t_9 = t_8 - (t_8 - k_t);
+    float t_10 = k_t - t_9;
+    float t_11 = t_10 * t_9;
+    float t_12 = t_9 * t_9 - k_t2 + t_11 + t_11 + t_10 * t_10;
+    float t_13 = t_7 + (-t_12);
+    float t_14 = n_t2 - (t - t_2) + (-k_t2 - t_2) + t_13;
+    float t_15 = t + t_14;
+    float t_16 = t_15 - t;
+    float t_17 = t_13 - t_7;
+    float t_18 = t - (t_15 - t_16) + (t_14 - t_16) + (t_7 - (t_13 - t_17) + (-t_12 - t_17));
+    float t_19 = t_15 + t_18;
+    float n_i2 = n_i * n_i;
+    float t_20 = t_19 + (-n_i2);
+    float t_21 = t_20 - t_19;
+    float t_22 = t_19 - t_15;
+    float t_23 = t_15 - (t_19 - t_22) + (t_18 - t_22);
+    float t_24 = 4097.0 * n_i;
+    float t_25 = t_24 - (t_24 - n_i);
+    float t_26 = n_i - t_25;
+    float t_27 = t_26 * t_25;
+    float t_28 = t_25 * t_25 - n_i2 + t_27 + t_27 + t_26 * t_26;
+    float t_29 = t_23 + (-t_28);
+    float t_30 = t_19 - (t_20 - t_21) + (-n_i2 - t_21) + t_29;
+    float t_31 = t_20 + t_30;
+    float t_32 = t_31 - t_20;
+    float t_33 = t_29 - t_23;
+    float t_34 = t_20 - (t_31 - t_32) + (t_30 - t_32) + (t_23 - (t_29 - t_33) + (-t_28 - t_33));
+    float t_35 = t_31 + t_34;
+    float cos2 = cos_i * cos_i;
+    float t_36 = n_i2 * cos2;
+    float t_37 = 4097.0 * n_i2;
+    float t_38 = t_37 - (t_37 - n_i2);
+    float t_39 = 4097.0 * cos2;
+    float t_40 = t_39 - (t_39 - cos2);
+    float t_41 = cos2 - t_40;
+    float t_42 = n_i2 - t_38;
+    float t_43 = 4097.0 * cos_i;
+    float t_44 = t_43 - (t_43 - cos_i);
+    float t_45 = cos_i - t_44;
+    float t_46 = t_45 * t_44;
+    float t_47 = t_44 * t_44 - cos2 + t_46 + t_46 + t_45 * t_45;
+    float t_48 = t_38 * t_40 - t_36 + t_38 * t_41 + t_42 * t_40 + t_42 * t_41 + (n_i2 * t_47 + t_28 * cos2);
+    float t_49 = t_36 + t_48;
+    float t_50 = t_35 + t_49;
+    float t_51 = t_50 - t_35;
+    float t_52 = t_35 - t_31;
+    float t_53 = t_31 - (t_35 - t_52) + (t_34 - t_52);
+    float t_54 = t_49 - t_36;
+    float t_55 = t_36 - (t_49 - t_54) + (t_48 - t_54);
+    float t_56 = t_53 + t_55;
+    float t_57 = t_35 - (t_50 - t_51) + (t_49 - t_51) + t_56;
+    float t_58 = t_50 + t_57;
+    float t_59 = t_58 - t_50;
+    float t_60 = t_56 - t_53;
+    float t_61 = t_58 + (t_50 - (t_58 - t_59) + (t_57 - t_59) + (t_53 - (t_56 - t_60) + (t_55 - t_60)));
+    float t_62 = n_t * k_t;
+    float t_63 = abs(t_61);
+    float t_64 = sqrt((max(sqrt(t_61 * t_61 + 4.0 * (t_62 * t_62)), t_63) + t_63) / 2.0);
+    float t_65 = t_62 / (t_64 > 0.0 ? t_64 : 1.0);
+    float t_66 = t_61 < 0.0 ? t_65 : t_64;
+    float t_67 = n_i * cos_i;
+    float t_68 = t_66 - t_67;
+    float t_69 = t_61 < 0.0 ? t_64 : t_65;
+    float t_70 = t_69 * t_69;
+    float t_71 = t_66 + t_67;
+    float t_72 = max(2.0 * abs(t_68), t_69) < t_67 ? (t_35 + t_70) / t_71 : t_68;
+    float t_73 = t_71 * t_71 + t_70;
+    float t_74 = (t_72 * t_72 + t_70) / (t_73 <= 0.0 ? 1.0 : t_73);
+    float t_75 = t_66 * cos_i;
+    float t_76 = n_i * ((1.0 - cos_i) * (1.0 + cos_i));
+    float t_77 = t_75 - t_76;
+    float t_78 = n_t2 + n_i2;
+    float t_79 = t_78 - n_t2;
+    float t_80 = t_7 + t_28;
+    float t_81 = n_t2 - (t_78 - t_79) + (n_i2 - t_79) + t_80;
+    float t_82 = t_78 + t_81;
+    float t_83 = t_82 - t_78;
+    float t_84 = t_80 - t_7;
+    float t_85 = t_78 - (t_82 - t_83) + (t_81 - t_83) + (t_7 - (t_80 - t_84) + (t_28 - t_84));
+    float t_86 = t_82 + t_85;
+    float t_87 = cos2 * t_86;
+    float t_88 = 4097.0 * t_86;
+    float t_89 = t_88 - (t_88 - t_86);
+    float t_90 = t_86 - t_89;
+    float t_91 = t_86 - t_82;
+    float t_92 = t_40 * t_89 - t_87 + t_40 * t_90 + t_41 * t_89 + t_41 * t_90 +
+            (cos2 * (t_82 - (t_86 - t_91) + (t_85 - t_91)) + t_47 * t_86);
+    float t_93 = t_87 + t_92;
+    float t_94 = t_93 + (-n_i2);
+    float t_95 = t_94 - t_93;
+    float t_96 = t_93 - t_87;
+    float t_97 = t_87 - (t_93 - t_96) + (t_92 - t_96);
+    float t_98 = t_97 + (-t_28);
+    float t_99 = t_93 - (t_94 - t_95) + (-n_i2 - t_95) + t_98;
+    float t_100 = t_94 + t_99;
+    float t_101 = t_100 - t_94;
+    float t_102 = t_98 - t_97;
+    float t_103 = t_75 + t_76;
+    float t_104 = t_103 <= 0.0 ? 1.0 : t_103;
+    float t_105 = max(2.0 * abs(t_77) - t_76, 2.0 * t_69 - n_i) < 0.0 ?
+            (t_100 + (t_94 - (t_100 - t_101) + (t_99 - t_101) + (t_97 - (t_98 - t_102) + (-t_28 - t_102))) +
+            cos2 * (t_70 - k_t2)) / t_104 : t_77;
+    float t_106 = t_69 * cos_i;
+    float t_107 = t_106 * t_106;
+    return (min(t_74, 1.0) + min(t_74 * ((t_105 * t_105 + t_107) / (t_104 * t_104 + t_107)), 1.0)) / 2.0;
+}
+
+float conductor_precise(float n_i, float n_t, float k_t, vector normal_, vector direction) {
+    return conductor_precise(n_i, n_t, k_t, incidence_cosine(normal_, direction));
+}
+
+// The same for three channels, which share the angle.
+color conductor_precise(float n_i, color n_t, color k_t, float cos_i) {
+    return color(conductor_precise(n_i, n_t[0], k_t[0], cos_i),
+            conductor_precise(n_i, n_t[1], k_t[1], cos_i), conductor_precise(n_i, n_t[2], k_t[2], cos_i));
+}
+
+color conductor_precise(float n_i, color n_t, color k_t, vector normal_, vector direction) {
+    return conductor_precise(n_i, n_t, k_t, incidence_cosine(normal_, direction));
+}
+
+// Reflectances and transmittances of both polarisations.
+fresnel_boundary conductor_precise_boundary(float n_i, float n_t, float k_t, float cos_i) {
+    float n_t2 = n_t * n_t;
+    float k_t2 = k_t * k_t;
+    float t = n_t2 + (-k_t2);
+    float t_2 = t - n_t2;
+    float t_3 = 4097.0 * n_t;
+    float t_4 = t_3 - (t_3 - n_t);
+    float t_5 = n_t - t_4;
+    float t_6 = t_5 * t_4;
+    float t_7 = t_4 * t_4 - n_t2 + t_6 + t_6 + t_5 * t_5;
+    float t_8 = 4097.0 * k_t;
+    float t_9 = t_8 - (t_8 - k_t);
+    float t_10 = k_t - t_9;
+    float t_11 = t_10 * t_9;
+    float t_12 = t_9 * t_9 - k_t2 + t_11 + t_11 + t_10 * t_10;
+    float t_13 = t_7 + (-t_12);
+    float t_14 = n_t2 - (t - t_2) + (-k_t2 - t_2) + t_13;
+    float t_15 = t + t_14;
+    float t_16 = t_15 - t;
+    float t_17 = t_13 - t_7;
+    float t_18 = t - (t_15 - t_16) + (t_14 - t_16) + (t_7 - (t_13 - t_17) + (-t_12 - t_17));
+    float t_19 = t_15 + t_18;
+    float n_i2 = n_i * n_i;
+    float t_20 = t_19 + (-n_i2);
+    float t_21 = t_20 - t_19;
+    float t_22 = t_19 - t_15;
+    float t_23 = t_15 - (t_19 - t_22) + (t_18 - t_22);
+    float t_24 = 4097.0 * n_i;
+    float t_25 = t_24 - (t_24 - n_i);
+    float t_26 = n_i - t_25;
+    float t_27 = t_26 * t_25;
+    float t_28 = t_25 * t_25 - n_i2 + t_27 + t_27 + t_26 * t_26;
+    float t_29 = t_23 + (-t_28);
+    float t_30 = t_19 - (t_20 - t_21) + (-n_i2 - t_21) + t_29;
+    float t_31 = t_20 + t_30;
+    float t_32 = t_31 - t_20;
+    float t_33 = t_29 - t_23;
+    float t_34 = t_20 - (t_31 - t_32) + (t_30 - t_32) + (t_23 - (t_29 - t_33) + (-t_28 - t_33));
+    float t_35 = t_31 + t_34;
+    float cos2 = cos_i * cos_i;
+    float t_36 = n_i2 * cos2;
+    float t_37 = 4097.0 * n_i2;
+    float t_38 = t_37 - (t_37 - n_i2);
+    float t_39 = 4097.0 * cos2;
+    float t_40 = t_39 - (t_39 - cos2);
+    float t_41 = cos2 - t_40;
+    float t_42 = n_i2 - t_38;
+    float t_43 = 4097.0 * cos_i;
+    float t_44 = t_43 - (t_43 - cos_i);
+    float t_45 = cos_i - t_44;
+    float t_46 = t_45 * t_44;
+    float t_47 = t_44 * t_44 - cos2 + t_46 + t_46 + t_45 * t_45;
+    float t_48 = t_38 * t_40 - t_36 + t_38 * t_41 + t_42 * t_40 + t_42 * t_41 + (n_i2 * t_47 + t_28 * cos2);
+    float t_49 = t_36 + t_48;
+    float t_50 = t_35 + t_49;
+    float t_51 = t_50 - t_35;
+    float t_52 = t_35 - t_31;
+    float t_53 = t_31 - (t_35 - t_52) + (t_34 - t_52);
+    float t_54 = t_49 - t_36;
+    float t_55 = t_36 - (t_49 - t_54) + (t_48 - t_54);
+    float t_56 = t_53 + t_55;
+    float t_57 = t_35 - (t_50 - t_51) + (t_49 - t_51) + t_56;
+    float t_58 = t_50 + t_57;
+    float t_59 = t_58 - t_50;
+    float t_60 = t_56 - t_53;
+    float t_61 = t_58 + (t_50 - (t_58 - t_59) + (t_57 - t_59) + (t_53 - (t_56 - t_60) + (t_55 - t_60)));
+    float t_62 = n_t * k_t;
+    float t_63 = abs(t_61);
+    float t_64 = sqrt((max(sqrt(t_61 * t_61 + 4.0 * (t_62 * t_62)), t_63) + t_63) / 2.0);
+    float t_65 = t_62 / (t_64 > 0.0 ? t_64 : 1.0);
+    float t_66 = t_61 < 0.0 ? t_65 : t_64;
+    float t_67 = n_i * cos_i;
+    float t_68 = t_66 - t_67;
+    float t_69 = t_61 < 0.0 ? t_64 : t_65;
+    float t_70 = t_69 * t_69;
+    float t_71 = t_66 + t_67;
+    float t_72 = max(2.0 * abs(t_68), t_69) < t_67 ? (t_35 + t_70) / t_71 : t_68;
+    float t_73 = t_72 * t_72 + t_70;
+    float t_74 = t_71 * t_71 + t_70;
+    float t_75 = t_74 <= 0.0 ? 1.0 : t_74;
+    float t_76 = t_73 / t_75;
+    float t_77 = t_66 * cos_i;
+    float t_78 = n_i * ((1.0 - cos_i) * (1.0 + cos_i));
+    float t_79 = t_77 - t_78;
+    float t_80 = n_t2 + n_i2;
+    float t_81 = t_80 - n_t2;
+    float t_82 = t_7 + t_28;
+    float t_83 = n_t2 - (t_80 - t_81) + (n_i2 - t_81) + t_82;
+    float t_84 = t_80 + t_83;
+    float t_85 = t_84 - t_80;
+    float t_86 = t_82 - t_7;
+    float t_87 = t_80 - (t_84 - t_85) + (t_83 - t_85) + (t_7 - (t_82 - t_86) + (t_28 - t_86));
+    float t_88 = t_84 + t_87;
+    float t_89 = cos2 * t_88;
+    float t_90 = 4097.0 * t_88;
+    float t_91 = t_90 - (t_90 - t_88);
+    float t_92 = t_88 - t_91;
+    float t_93 = t_88 - t_84;
+    float t_94 = t_40 * t_91 - t_89 + t_40 * t_92 + t_41 * t_91 + t_41 * t_92 +
+            (cos2 * (t_84 - (t_88 - t_93) + (t_87 - t_93)) + t_47 * t_88);
+    float t_95 = t_89 + t_94;
+    float t_96 = t_95 + (-n_i2);
+    float t_97 = t_96 - t_95;
+    float t_98 = t_95 - t_89;
+    float t_99 = t_89 - (t_95 - t_98) + (t_94 - t_98);
+    float t_100 = t_99 + (-t_28);
+    float t_101 = t_95 - (t_96 - t_97) + (-n_i2 - t_97) + t_100;
+    float t_102 = t_96 + t_101;
+    float t_103 = t_102 - t_96;
+    float t_104 = t_100 - t_99;
+    float t_105 = t_77 + t_78;
+    float t_106 = t_105 <= 0.0 ? 1.0 : t_105;
+    float t_107 = max(2.0 * abs(t_79) - t_78, 2.0 * t_69 - n_i) < 0.0 ?
+            (t_102 + (t_96 - (t_102 - t_103) + (t_101 - t_103) +
+            (t_99 - (t_100 - t_104) + (-t_28 - t_104))) + cos2 * (t_70 - k_t2)) / t_106 : t_79;
+    float t_108 = t_69 * cos_i;
+    float t_109 = t_108 * t_108;
+    float t_110 = t_106 * t_106 + t_109;
+    float t_111 = t_73 <= 0.0 ? 1.0 : 4.0 * (t_66 * t_67) / t_75;
+    fresnel_boundary result =
+            {min(t_76, 1.0), min(t_76 * ((t_107 * t_107 + t_109) / t_110), 1.0), min(t_111, 1.0),
+            min(t_111 + t_76 * (4.0 * (t_77 * t_78) / t_110), 1.0)};
+    return result;
+}
+
+// ---- approximations ------------------------------------------------------------------------------------------
+
+// Schlick's approximation.
+//
+//   F = f0 + (1 - f0) x^5, x = 1 - cos_i
+//
+// f0      reflectance at normal incidence, [0, 1]
+// cos_i   cosine of incidence, [0, 1]
+// error   at most 0.0824, certified: eta in [1.3, 2.5], from outside, f0 exact
+// cost    7 operations
+// source  Schlick 1994, An Inexpensive BRDF Model for Physically-based Rendering
+float schlick(float f0, float cos_i) {
+    float m = 1.0 - cos_i;
+    float m2 = m * m;
+    return f0 + (1.0 - f0) * (m2 * m2 * m);
+}
+
+float schlick(float f0, vector normal_, vector direction) {
+    return schlick(f0, incidence_cosine(normal_, direction));
+}
+
+// The same for three channels, which share the angle.
+color schlick(color f0, float cos_i) {
+    float m = 1.0 - cos_i;
+    float m2 = m * m;
+    return f0 + (1.0 - f0) * (m2 * m2 * m);
+}
+
+color schlick(color f0, vector normal_, vector direction) {
+    return schlick(f0, incidence_cosine(normal_, direction));
+}
+
+// Schlick's approximation with any reflectance at grazing incidence.
+//
+//   F = f0 + (f90 - f0) x^5, x = 1 - cos_i
+//
+// f0      reflectance at normal incidence, [0, 1]
+// f90     reflectance at grazing incidence, [0, 1]
+// cos_i   cosine of incidence, [0, 1]
+// error   at most 0.0824, certified: eta in [1.3, 2.5], from outside, f0 exact
+// cost    7 operations
+// source  Schlick 1994; Real-Time Rendering, 4th ed., eq. 9.18
+float schlick_f90(float f0, float f90, float cos_i) {
+    float m = 1.0 - cos_i;
+    float m2 = m * m;
+    return f0 + (f90 - f0) * (m2 * m2 * m);
+}
+
+float schlick_f90(float f0, float f90, vector normal_, vector direction) {
+    return schlick_f90(f0, f90, incidence_cosine(normal_, direction));
+}
+
+// The same for three channels, which share the angle.
+color schlick_f90(color f0, color f90, float cos_i) {
+    float m = 1.0 - cos_i;
+    float m2 = m * m;
+    return f0 + (f90 - f0) * (m2 * m2 * m);
+}
+
+color schlick_f90(color f0, color f90, vector normal_, vector direction) {
+    return schlick_f90(f0, f90, incidence_cosine(normal_, direction));
+}
+
+// Schlick's approximation with the power left free.
+//
+//   F = f0 + (f90 - f0) x^power, x = 1 - cos_i
+//
+// f0      reflectance at normal incidence, [0, 1]
+// f90     reflectance at grazing incidence, [0, 1]
+// power   sharpness of the rise, [0.1, 1000]
+// cos_i   cosine of incidence, [0, 1]
+// error   at most 0.123, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// cost    13 operations
+// source  Real-Time Rendering, 4th ed., eq. 9.18
+float schlick_power(float f0, float f90, float power, float cos_i) {
+    return f0 + (f90 - f0) * pow(1.0 - cos_i, power);
+}
+
+float schlick_power(float f0, float f90, float power, vector normal_, vector direction) {
+    return schlick_power(f0, f90, power, incidence_cosine(normal_, direction));
+}
+
+// The same for three channels, which share the angle.
+color schlick_power(color f0, color f90, color power, float cos_i) {
+    return f0 + (f90 - f0) * pow(color(1.0 - cos_i), power);
+}
+
+color schlick_power(color f0, color f90, color power, vector normal_, vector direction) {
+    return schlick_power(f0, f90, power, incidence_cosine(normal_, direction));
+}
+
+// Schlick's approximation written in n and k.
+//
+//   F = ((n - 1)^2 + 4 n x^5 + k^2) / ((n + 1)^2 + k^2), x = 1 - cos_i
+//
+// n       index relative to the medium in front, [0.001, 1000]
+// k       its imaginary part, [0, 10000]
+// cos_i   cosine of incidence, [0, 1]
+// error   at most 0.255, certified: n in [0.1, 4], k in [1, 8]
+// cost    19 operations
+// source  Lazanyi and Szirmay-Kalos 2005, Fresnel Term Approximations for Metals
+float schlick_nk(float n, float k, float cos_i) {
+    float m = 1.0 - cos_i;
+    float n_minus_1 = n - 1.0;
+    float k2 = k * k;
+    float m2 = m * m;
+    float n_plus_1 = n + 1.0;
+    return min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (m2 * m2 * m)) / (n_plus_1 * n_plus_1 + k2), 1.0);
+}
+
+float schlick_nk(float n, float k, vector normal_, vector direction) {
+    return schlick_nk(n, k, incidence_cosine(normal_, direction));
+}
+
+// The same for three channels, which share the angle.
+color schlick_nk(color n, color k, float cos_i) {
+    float m = 1.0 - cos_i;
+    color n_minus_1 = n - 1.0;
+    color k2 = k * k;
+    float m2 = m * m;
+    color n_plus_1 = n + 1.0;
+    return min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (m2 * m2 * m)) / (n_plus_1 * n_plus_1 + k2),
+            color(1.0));
+}
+
+color schlick_nk(color n, color k, vector normal_, vector direction) {
+    return schlick_nk(n, k, incidence_cosine(normal_, direction));
+}
+
+// Schlick's approximation from inside a denser medium.
+//
+//   F = schlick(f0, cos_t), f0 = ((1 - eta) / (1 + eta))^2; 1 beyond the critical angle
+//
+// eta     n_t / n_i, [0.01, 1]
+// cos_i   cosine of incidence, [0, 1]
+// error   at most 0.0824, certified: 1 / eta in [1.3, 2.5], from inside
+// cost    28 operations
+// source  Lagarde 2013, Memo on Fresnel equations
+float schlick_internal(float eta, float cos_i) {
+    float eta_minus_1 = eta - 1.0;
+    float eta_plus_1 = eta + 1.0;
+    float t = eta_minus_1 / eta_plus_1;
+    float f0 = t * t;
+    float g2 = eta_minus_1 * eta_plus_1 + cos_i * cos_i;
+    float cos_t = g2 <= 0.0 ? 0.0 : min(sqrt(g2) / eta, 1.0);
+    float m = 1.0 - cos_t;
+    float m2 = m * m;
+    return f0 + (1.0 - f0) * (m2 * m2 * m);
+}
+
+float schlick_internal(float eta, vector normal_, vector direction) {
+    return schlick_internal(eta, incidence_cosine(normal_, direction));
+}
+
+// The same for three channels, which share the angle.
+color schlick_internal(color eta, float cos_i) {
+    return color(schlick_internal(eta[0], cos_i), schlick_internal(eta[1], cos_i),
+            schlick_internal(eta[2], cos_i));
+}
+
+color schlick_internal(color eta, vector normal_, vector direction) {
+    return schlick_internal(eta, incidence_cosine(normal_, direction));
+}
+
+// Schlick's curve by a spherical Gaussian.
+//
+//   F = f0 + (1 - f0) 2^((-5.55473 cos_i - 6.98316) cos_i)
+//
+// f0      reflectance at normal incidence, [0, 1]
+// cos_i   cosine of incidence, [0, 1]
+// error   at most 0.0846, certified: eta in [1.3, 2.5], from outside, f0 exact
+// cost    10 operations
+// source  Lagarde 2012, Spherical Gaussian approximation for Blinn-Phong, Phong and Fresnel
+float spherical_gaussian(float f0, float cos_i) {
+    float p = -(5.55473 * cos_i + 6.98316) * cos_i;
+    return f0 + (1.0 - f0) * exp2(p);
+}
+
+float spherical_gaussian(float f0, vector normal_, vector direction) {
+    return spherical_gaussian(f0, incidence_cosine(normal_, direction));
+}
+
+// The same for three channels, which share the angle.
+color spherical_gaussian(color f0, float cos_i) {
+    float p = -(5.55473 * cos_i + 6.98316) * cos_i;
+    return f0 + (1.0 - f0) * exp2(p);
+}
+
+color spherical_gaussian(color f0, vector normal_, vector direction) {
+    return spherical_gaussian(f0, incidence_cosine(normal_, direction));
+}
+
+// A curve found by symbolic regression.
+//
+//   F = f0 + (x - f0) x^4, x = 1 - cos_i
+//
+// f0      reflectance at normal incidence, [0, 1]
+// cos_i   cosine of incidence, [0, 1]
+// error   at most 0.0708, certified: eta in [1.3, 2.5], from outside, f0 exact
+// cost    6 operations
+// source  photometric.io, Improving Schlick's Approximation
+float photometric(float f0, float cos_i) {
+    float m = 1.0 - cos_i;
+    float m2 = m * m;
+    return f0 + (m - f0) * (m2 * m2);
+}
+
+float photometric(float f0, vector normal_, vector direction) {
+    return photometric(f0, incidence_cosine(normal_, direction));
+}
+
+// The same for three channels, which share the angle.
+color photometric(color f0, float cos_i) {
+    float m = 1.0 - cos_i;
+    float m2 = m * m;
+    return f0 + (m - f0) * (m2 * m2);
+}
+
+color photometric(color f0, vector normal_, vector direction) {
+    return photometric(f0, incidence_cosine(normal_, direction));
+}
+
+// Two powers at Schlick's cost, better on dielectrics.
+//
+//   F = f0 + x^4 ((a - f0) + (1 - a) x^4), a = 0.55, x = 1 - cos_i
+//
+// f0      reflectance at normal incidence, [0, 1]
+// cos_i   cosine of incidence, [0, 1]
+// error   at most 0.0363, certified: eta in [1.3, 2.5], from outside, f0 exact
+// cost    8 operations
+// source  this library
+float powers_4_8(float f0, float cos_i) {
+    float one_minus_cos_i = 1.0 - cos_i;
+    float t = one_minus_cos_i * one_minus_cos_i;
+    float m4 = t * t;
+    return f0 + m4 * (0.55 - f0 + 0.45 * m4);
+}
+
+float powers_4_8(float f0, vector normal_, vector direction) {
+    return powers_4_8(f0, incidence_cosine(normal_, direction));
+}
+
+// The same for three channels, which share the angle.
+color powers_4_8(color f0, float cos_i) {
+    float one_minus_cos_i = 1.0 - cos_i;
+    float t = one_minus_cos_i * one_minus_cos_i;
+    float m4 = t * t;
+    return f0 + m4 * (0.55 - f0 + 0.45 * m4);
+}
+
+color powers_4_8(color f0, vector normal_, vector direction) {
+    return powers_4_8(f0, incidence_cosine(normal_, direction));
+}
+
+// Two powers, less than half of Schlick's error on dielectrics.
+//
+//   F = f0 + x^3 ((a - f0) + (1 - a) x^6), a = max(0.46, f0), x = 1 - cos_i
+//
+// f0      reflectance at normal incidence, [0, 1]
+// cos_i   cosine of incidence, [0, 1]
+// error   at most 0.0328, certified: eta in [1.3, 2.5], from outside, f0 exact
+// cost    13 operations
+// source  this library
+float powers_3_9(float f0, float cos_i) {
+    float a = max(0.46, f0);
+    float m = 1.0 - cos_i;
+    float m3 = m * m * m;
+    return clamp(f0 + m3 * (a - f0 + (1.0 - a) * (m3 * m3)), 0.0, 1.0);
+}
+
+float powers_3_9(float f0, vector normal_, vector direction) {
+    return powers_3_9(f0, incidence_cosine(normal_, direction));
+}
+
+// The same for three channels, which share the angle.
+color powers_3_9(color f0, float cos_i) {
+    color a = max(color(0.46), f0);
+    float m = 1.0 - cos_i;
+    float m3 = m * m * m;
+    return clamp(f0 + m3 * (a - f0 + (1.0 - a) * (m3 * m3)), color(0.0), color(1.0));
+}
+
+color powers_3_9(color f0, vector normal_, vector direction) {
+    return powers_3_9(f0, incidence_cosine(normal_, direction));
+}
+
+// Three powers with coefficients in sqrt(f0), a tenth of Schlick's error on dielectrics.
+//
+//   F = f0 + y (p + y (q + y r)), y = (1 - cos_i)^3, p and q linear in sqrt(f0) and f0,
+//   p + q + r = 1 - f0
+//
+// f0      reflectance at normal incidence, [0, 1]
+// cos_i   cosine of incidence, [0, 1]
+// error   at most 0.00713, certified: eta in [1.3, 2.5], from outside, f0 exact
+// cost    27 operations
+// source  this library
+float powers_3_6_9(float f0, float cos_i) {
+    float s = sqrt(f0 + 8.271806e-25);
+    float p = 2.90623 * s - 0.02379 - 4.78491 * f0;
+    float q = 0.43137 - 0.58931 * s - 2.31299 * f0;
+    float r = 1.0 - f0 - p - q;
+    float m = 1.0 - cos_i;
+    float y = m * m * m;
+    return clamp(f0 + y * (p + y * (q + y * r)), 0.0, 1.0);
+}
+
+float powers_3_6_9(float f0, vector normal_, vector direction) {
+    return powers_3_6_9(f0, incidence_cosine(normal_, direction));
+}
+
+// The same for three channels, which share the angle.
+color powers_3_6_9(color f0, float cos_i) {
+    color s = sqrt(f0 + 8.271806e-25);
+    color p = 2.90623 * s - 0.02379 - 4.78491 * f0;
+    color q = 0.43137 - 0.58931 * s - 2.31299 * f0;
+    color r = 1.0 - f0 - p - q;
+    float m = 1.0 - cos_i;
+    float y = m * m * m;
+    return clamp(f0 + y * (p + y * (q + y * r)), color(0.0), color(1.0));
+}
+
+color powers_3_6_9(color f0, vector normal_, vector direction) {
+    return powers_3_6_9(f0, incidence_cosine(normal_, direction));
+}
+
+// The rim factor, as a stand-in for reflectance.
+//
+//   F = 1 - cos_i
+//
+// cos_i   cosine of incidence, [0, 1]
+// error   at most 0.542, certified: eta in [1.3, 2.5], from outside, f0 exact
+// cost    1 operations
+// source  Wloka 2002, Fresnel Reflection, fig. 4
+float one_minus_cos(float cos_i) {
+    return 1.0 - cos_i;
+}
+
+float one_minus_cos(vector normal_, vector direction) {
+    return one_minus_cos(incidence_cosine(normal_, direction));
+}
+
+// No Fresnel effect.
+//
+//   F = f0
+//
+// f0      reflectance at normal incidence, [0, 1]
+// cos_i   cosine of incidence, [0, 1]
+// error   at most 0.983, certified: eta in [1.3, 2.5], from outside, f0 exact
+// cost    0 operations
+// source  no Fresnel effect
+float constant(float f0, float cos_i) {
+    return f0;
+}
+
+float constant(float f0, vector normal_, vector direction) {
+    return constant(f0, incidence_cosine(normal_, direction));
+}
+
+// The same for three channels, which share the angle.
+color constant(color f0, float cos_i) {
+    return f0;
+}
+
+color constant(color f0, vector normal_, vector direction) {
+    return constant(f0, incidence_cosine(normal_, direction));
+}
+
+// The classic approximation for metals, without a square root.
+//
+//   R_s = ((n - c)^2 + k^2) / ((n + c)^2 + k^2),
+//   R_p = ((n c - 1)^2 + k^2 c^2) / ((n c + 1)^2 + k^2 c^2)
+//
+// n       index relative to the medium in front, [0.001, 1000]
+// k       its imaginary part, [0, 10000]
+// cos_i   cosine of incidence, [0, 1]
+// error   at most 0.0638, certified: n in [0.1, 4], k in [1, 8]
+// cost    26 operations
+// source  Pharr and Humphreys, Physically Based Rendering; Lagarde 2013
+float air_conductor(float n, float k, float cos_i) {
+    float k2 = k * k;
+    float t = n - cos_i;
+    float t_2 = n + cos_i;
+    float R_s = (t * t + k2) / (t_2 * t_2 + k2);
+    float t_3 = n * cos_i;
+    float t_3_minus_1 = t_3 - 1.0;
+    float t_4 = k2 * (cos_i * cos_i);
+    float t_3_plus_1 = t_3 + 1.0;
+    float R_p = (t_3_minus_1 * t_3_minus_1 + t_4) / (t_3_plus_1 * t_3_plus_1 + t_4);
+    return (R_s + R_p) / 2.0;
+}
+
+float air_conductor(float n, float k, vector normal_, vector direction) {
+    return air_conductor(n, k, incidence_cosine(normal_, direction));
+}
+
+// The same for three channels, which share the angle.
+color air_conductor(color n, color k, float cos_i) {
+    color k2 = k * k;
+    color t = n - cos_i;
+    color t_2 = n + cos_i;
+    color R_s = (t * t + k2) / (t_2 * t_2 + k2);
+    color t_3 = n * cos_i;
+    color t_3_minus_1 = t_3 - 1.0;
+    color t_4 = k2 * (cos_i * cos_i);
+    color t_3_plus_1 = t_3 + 1.0;
+    color R_p = (t_3_minus_1 * t_3_minus_1 + t_4) / (t_3_plus_1 * t_3_plus_1 + t_4);
+    return (R_s + R_p) / 2.0;
+}
+
+color air_conductor(color n, color k, vector normal_, vector direction) {
+    return air_conductor(n, k, incidence_cosine(normal_, direction));
+}
+
+// Schlick's approximation less a term for the dip of metals before grazing incidence.
+//
+//   F = schlick_nk(n, k) - a c x^alpha, x = 1 - c, c = cos_i
+//
+// n       index relative to the medium in front, [0.001, 1000]
+// k       its imaginary part, [0, 10000]
+// a       depth of the dip, about 2 n, [0, 2000]
+// alpha   sharpness of the dip, [0.1, 1000]
+// cos_i   cosine of incidence, [0, 1]
+// error   at most 0.045, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// cost    33 operations
+// source  Lazanyi and Szirmay-Kalos 2005, Fresnel Term Approximations for Metals
+float lazanyi(float n, float k, float a, float alpha, float cos_i) {
+    float m = 1.0 - cos_i;
+    float n_minus_1 = n - 1.0;
+    float k2 = k * k;
+    float m2 = m * m;
+    float n_plus_1 = n + 1.0;
+    return clamp(min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (m2 * m2 * m)) / (n_plus_1 * n_plus_1 + k2),
+            1.0) - a * cos_i * pow(m, alpha), 0.0, 1.0);
+}
+
+float lazanyi(float n, float k, float a, float alpha, vector normal_, vector direction) {
+    return lazanyi(n, k, a, alpha, incidence_cosine(normal_, direction));
+}
+
+// The same for three channels, which share the angle.
+color lazanyi(color n, color k, color a, color alpha, float cos_i) {
+    float m = 1.0 - cos_i;
+    color n_minus_1 = n - 1.0;
+    color k2 = k * k;
+    float m2 = m * m;
+    color n_plus_1 = n + 1.0;
+    return clamp(min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (m2 * m2 * m)) / (n_plus_1 * n_plus_1 + k2),
+            color(1.0)) - a * cos_i * pow(color(m), alpha), color(0.0), color(1.0));
+}
+
+color lazanyi(color n, color k, color a, color alpha, vector normal_, vector direction) {
+    return lazanyi(n, k, a, alpha, incidence_cosine(normal_, direction));
+}
+
+// An index from two artist's colours, then the exact equations.
+//
+//   F = conductor(n, k), n = mix(n_max(r), n_min(r), g), k^2 = ((n + 1)^2 r - (n - 1)^2) / (1 - r)
+//
+// r       reflectance at normal incidence, [0, 1]
+// g       edge tint, [0, 1]
+// cos_i   cosine of incidence, [0, 1]
+// error   at most 1e-13, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// cost    97 operations
+// source  Gulbrandsen 2014, Artist Friendly Metallic Fresnel
+float gulbrandsen(float r, float g, float cos_i) {
+    float f0 = min(r, 0.9999) + 8.271806e-25;
+    float t = 1.0 + sqrt(f0);
+    float t_2 = t * t;
+    float one_minus_f0 = 1.0 - f0;
+    float n_max = t_2 / one_minus_f0;
+    float n_min = one_minus_f0 / (1.0 + f0);
+    float n = n_max + (n_min - n_max) * g;
+    float k = sqrt(max((n_max - n) * (n - one_minus_f0 / t_2), 0.0) + 8.271806e-25);
+    float c2 = cos_i * cos_i;
+    float sin2 = 1.0 - c2;
+    float s4 = sin2 * sin2;
+    float E = (n - 1.0) * (n + 1.0) - k * k; // Re m^2 - 1
+    float Z = 2.0 * (n * k); // Im m^2
+    float Z2 = Z * Z;
+    float t0 = E + c2; // q^2 = t0 + i Z
+    float A = sqrt(t0 * t0 + Z2); // |q|^2
+    float S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
+    float u_ = sqrt(2.0 * S); // twice the larger of Re q and Im q
+    float a = t0 < 0.0 ? Z : S; // u Re q
+    float h = 2.0 * (a * cos_i);
+    float F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
+    float G_s = (A + c2) * u_ + h;
+    float D_s = max(F + h * G_s, 1.1754944e-38); // |c + q|^4; 0 only for equal media at cos_i = 0
+    float R_s = F / D_s;
+    float h_p = h * sin2;
+    float N_ = t0 * c2 - s4;
+    float M = Z * c2;
+    float B = (N_ * N_ + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
+    float G_p = (A * c2 + s4) * u_ + h_p;
+    float D_p = B + h_p * G_p; // |q c + s^2|^4
+    float R_p = R_s * (B / D_p);
+    return (R_s + R_p) / 2.0;
+}
+
+float gulbrandsen(float r, float g, vector normal_, vector direction) {
+    return gulbrandsen(r, g, incidence_cosine(normal_, direction));
+}
+
+// The same for three channels, which share the angle.
+color gulbrandsen(color r, color g, float cos_i) {
+    return color(gulbrandsen(r[0], g[0], cos_i), gulbrandsen(r[1], g[1], cos_i),
+            gulbrandsen(r[2], g[2], cos_i));
+}
+
+color gulbrandsen(color r, color g, vector normal_, vector direction) {
+    return gulbrandsen(r, g, incidence_cosine(normal_, direction));
+}
+
+// Schlick's approximation with a dip, through the reflectance at cos_i = 1/7.
+//
+//   f0 + (1 - f0) x^5 - b c x^6 through f82 at c = 1/7, x = 1 - c, c = cos_i
+//
+// f0      reflectance at normal incidence, [0, 1]
+// f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
+// cos_i   cosine of incidence, [0, 1]
+// error   at most 0.0517, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// cost    17 operations
+// source  Hoffman 2019, Fresnel Equations Considered Harmful
+float f82(float f0, float f82_, float cos_i) {
+    float one_minus_f0 = 1.0 - f0;
+    float at_82 = f0 + one_minus_f0 * 0.46266437;
+    float b = (at_82 - f82_) * 17.651384;
+    float m = 1.0 - cos_i;
+    float m2 = m * m;
+    float m5 = m2 * m2 * m;
+    return clamp(f0 + one_minus_f0 * m5 - b * cos_i * (m5 * m), 0.0, 1.0);
+}
+
+float f82(float f0, float f82_, vector normal_, vector direction) {
+    return f82(f0, f82_, incidence_cosine(normal_, direction));
+}
+
+// The same for three channels, which share the angle.
+color f82(color f0, color f82_, float cos_i) {
+    color one_minus_f0 = 1.0 - f0;
+    color at_82 = f0 + one_minus_f0 * 0.46266437;
+    color b = (at_82 - f82_) * 17.651384;
+    float m = 1.0 - cos_i;
+    float m2 = m * m;
+    float m5 = m2 * m2 * m;
+    return clamp(f0 + one_minus_f0 * m5 - b * cos_i * (m5 * m), color(0.0), color(1.0));
+}
+
+color f82(color f0, color f82_, vector normal_, vector direction) {
+    return f82(f0, f82_, incidence_cosine(normal_, direction));
+}
+
+// Schlick's approximation with a dip, given as a fraction of its value at cos_i = 1/7.
+//
+//   F = f82(f0, tint schlick(f0, 1/7))
+//
+// f0      reflectance at normal incidence, [0, 1]
+// tint    f82 over that of Schlick, [0, 1]
+// cos_i   cosine of incidence, [0, 1]
+// error   at most 0.0517, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// cost    18 operations
+// source  Kutz, Hasan and Edmondson 2021, Novel aspects of the Adobe Standard Material
+float f82_tint(float f0, float tint, float cos_i) {
+    float one_minus_f0 = 1.0 - f0;
+    float at_82 = f0 + one_minus_f0 * 0.46266437;
+    float b = at_82 * (1.0 - tint) * 17.651384;
+    float m = 1.0 - cos_i;
+    float m2 = m * m;
+    float m5 = m2 * m2 * m;
+    return clamp(f0 + one_minus_f0 * m5 - b * cos_i * (m5 * m), 0.0, 1.0);
+}
+
+float f82_tint(float f0, float tint, vector normal_, vector direction) {
+    return f82_tint(f0, tint, incidence_cosine(normal_, direction));
+}
+
+// The same for three channels, which share the angle.
+color f82_tint(color f0, color tint, float cos_i) {
+    color one_minus_f0 = 1.0 - f0;
+    color at_82 = f0 + one_minus_f0 * 0.46266437;
+    color b = at_82 * (1.0 - tint) * 17.651384;
+    float m = 1.0 - cos_i;
+    float m2 = m * m;
+    float m5 = m2 * m2 * m;
+    return clamp(f0 + one_minus_f0 * m5 - b * cos_i * (m5 * m), color(0.0), color(1.0));
+}
+
+color f82_tint(color f0, color tint, vector normal_, vector direction) {
+    return f82_tint(f0, tint, incidence_cosine(normal_, direction));
+}
+
+// Schlick's approximation with a dip, any power and any reflectance at grazing incidence.
+//
+//   f0 + (f90 - f0) x^power - b c x^6 through f82 at c = 1/7, x = 1 - c, c = cos_i
+//
+// f0      reflectance at normal incidence, [0, 1]
+// f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
+// f90     reflectance at grazing incidence, [0, 1]
+// power   sharpness of the rise, [0.1, 1000]
+// cos_i   cosine of incidence, [0, 1]
+// error   at most 0.0184, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// cost    34 operations
+// source  Hoffman 2019, Fresnel Equations Considered Harmful; MaterialX
+float hoffman(float f0, float f82, float f90, float power, float cos_i) {
+    float t = f90 - f0;
+    float at_82 = f0 + t * pow(0.85714287, power);
+    float b = (at_82 - f82) * 17.651384;
+    float m = 1.0 - cos_i;
+    float m2 = m * m;
+    return clamp(f0 + t * pow(m, power) - b * cos_i * (m2 * m2 * m2), 0.0, 1.0);
+}
+
+float hoffman(float f0, float f82, float f90, float power, vector normal_, vector direction) {
+    return hoffman(f0, f82, f90, power, incidence_cosine(normal_, direction));
+}
+
+// The same for three channels, which share the angle.
+color hoffman(color f0, color f82, color f90, color power, float cos_i) {
+    color t = f90 - f0;
+    color at_82 = f0 + t * pow(color(0.85714287), power);
+    color b = (at_82 - f82) * 17.651384;
+    float m = 1.0 - cos_i;
+    float m2 = m * m;
+    return clamp(f0 + t * pow(color(m), power) - b * cos_i * (m2 * m2 * m2), color(0.0), color(1.0));
+}
+
+color hoffman(color f0, color f82, color f90, color power, vector normal_, vector direction) {
+    return hoffman(f0, f82, f90, power, incidence_cosine(normal_, direction));
+}
+
+// Two powers through f0 and f82.
+//
+//   f0 + x^4 (p + q x^8) through f82 at cos_i = 1/7, x = 1 - cos_i
+//
+// f0      reflectance at normal incidence, [0, 1]
+// f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
+// cos_i   cosine of incidence, [0, 1]
+// error   at most 0.0342, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// cost    16 operations
+// source  this library
+float powers_4_12(float f0, float f82, float cos_i) {
+    float one_minus_f0 = 1.0 - f0;
+    float rise = one_minus_f0 - (f82 - f0) * 1.8526235;
+    float q = rise * 1.4111481;
+    float one_minus_cos_i = 1.0 - cos_i;
+    float t = one_minus_cos_i * one_minus_cos_i;
+    float m4 = t * t;
+    return clamp(f0 + m4 * (one_minus_f0 - q + q * (m4 * m4)), 0.0, 1.0);
+}
+
+float powers_4_12(float f0, float f82, vector normal_, vector direction) {
+    return powers_4_12(f0, f82, incidence_cosine(normal_, direction));
+}
+
+// The same for three channels, which share the angle.
+color powers_4_12(color f0, color f82, float cos_i) {
+    color one_minus_f0 = 1.0 - f0;
+    color rise = one_minus_f0 - (f82 - f0) * 1.8526235;
+    color q = rise * 1.4111481;
+    float one_minus_cos_i = 1.0 - cos_i;
+    float t = one_minus_cos_i * one_minus_cos_i;
+    float m4 = t * t;
+    return clamp(f0 + m4 * (one_minus_f0 - q + q * (m4 * m4)), color(0.0), color(1.0));
+}
+
+color powers_4_12(color f0, color f82, vector normal_, vector direction) {
+    return powers_4_12(f0, f82, incidence_cosine(normal_, direction));
+}
+
+// Three powers through f0 and f82.
+//
+//   f0 + c2 x^2 + c8 x^8 + c16 x^16 through f82 at cos_i = 1/7, x = 1 - cos_i
+//
+// f0      reflectance at normal incidence, [0, 1]
+// f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
+// cos_i   cosine of incidence, [0, 1]
+// error   at most 0.0357, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// cost    23 operations
+// source  this library
+float powers_2_8_16(float f0, float f82, float cos_i) {
+    float rise = 1.0 - f0;
+    float dip = f82 - f0;
+    float c2 = 1.04343 * dip - 0.2752 * rise;
+    float c8 = 1.55944 * dip + 0.45498 * rise;
+    float c16 = 0.82022 * rise - 2.60287 * dip;
+    float one_minus_cos_i = 1.0 - cos_i;
+    float m2 = one_minus_cos_i * one_minus_cos_i;
+    float m2_2 = m2 * m2;
+    float m8 = m2_2 * m2_2;
+    return clamp(f0 + c2 * m2 + m8 * (c8 + c16 * m8), 0.0, 1.0);
+}
+
+float powers_2_8_16(float f0, float f82, vector normal_, vector direction) {
+    return powers_2_8_16(f0, f82, incidence_cosine(normal_, direction));
+}
+
+// The same for three channels, which share the angle.
+color powers_2_8_16(color f0, color f82, float cos_i) {
+    color rise = 1.0 - f0;
+    color dip = f82 - f0;
+    color c2 = 1.04343 * dip - 0.2752 * rise;
+    color c8 = 1.55944 * dip + 0.45498 * rise;
+    color c16 = 0.82022 * rise - 2.60287 * dip;
+    float one_minus_cos_i = 1.0 - cos_i;
+    float m2 = one_minus_cos_i * one_minus_cos_i;
+    float m2_2 = m2 * m2;
+    float m8 = m2_2 * m2_2;
+    return clamp(f0 + c2 * m2 + m8 * (c8 + c16 * m8), color(0.0), color(1.0));
+}
+
+color powers_2_8_16(color f0, color f82, vector normal_, vector direction) {
+    return powers_2_8_16(f0, f82, incidence_cosine(normal_, direction));
+}
+
+// ---- artistic ------------------------------------------------------------------------------------------------
+
+// The rim of game shaders.
+//
+//   F = saturate(bias + scale x^power), x = 1 - cos_i
+//
+// bias    value at normal incidence, [-10, 10]
+// scale   strength of the rim, [-10, 10]
+// power   sharpness of the rise, [0.1, 1000]
+// cos_i   cosine of incidence, [0, 1]
+// error   at most 0.275, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// cost    14 operations
+// source  Fernando and Kilgard 2003, The Cg Tutorial, ch. 7; Halladay 2014, Fresnel Shading
+float bias_scale_power(float bias, float scale, float power, float cos_i) {
+    return clamp(bias + scale * pow(1.0 - cos_i, power), 0.0, 1.0);
+}
+
+float bias_scale_power(float bias, float scale, float power, vector normal_, vector direction) {
+    return bias_scale_power(bias, scale, power, incidence_cosine(normal_, direction));
+}
+
+// The same for three channels, which share the angle.
+color bias_scale_power(color bias, color scale, color power, float cos_i) {
+    return clamp(bias + scale * pow(color(1.0 - cos_i), power), color(0.0), color(1.0));
+}
+
+color bias_scale_power(color bias, color scale, color power, vector normal_, vector direction) {
+    return bias_scale_power(bias, scale, power, incidence_cosine(normal_, direction));
+}
+
+#endif

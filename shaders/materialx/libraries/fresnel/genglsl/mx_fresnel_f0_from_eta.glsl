@@ -1,0 +1,13 @@
+// Reflectance at normal incidence.
+//
+//   f0 = ((eta - 1) / (eta + 1))^2
+//
+// eta       n_t / n_i, above 0
+float fresnel_f0_from_eta(float eta) {
+    float t = (eta - 1.0) / (eta + 1.0);
+    return t * t;
+}
+
+void mx_fresnel_f0_from_eta_float(float eta, out float result) {
+    result = fresnel_f0_from_eta(eta);
+}
