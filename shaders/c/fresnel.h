@@ -246,7 +246,7 @@ static inline fresnel_boundary dielectric_boundary(float n_i, float n_t, float c
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 2e-6, up to 6e-2 at a critical angle of k_t = 0
-// cost    66 operations
+// cost    67 operations
 // source  Born and Wolf 1999, Principles of Optics, sec. 14.2
 static inline float conductor(float n_i, float n_t, float k_t, float cos_i) {
     const float c = n_i * cos_i;
@@ -271,7 +271,8 @@ static inline float conductor(float n_i, float n_t, float k_t, float cos_i) {
     const float h_p = h * sin2;
     const float N = t0 * cos2 - s4;
     const float M = Z * cos2;
-    const float B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
+    const float M2 = M * M + 8.4703295e-22f; // above 0, so that D_p is
+    const float B = (N * N + M2) * S; // |q c - s^2|^2 |q c + s^2|^2
     const float G_p = (A * cos2 + s4) * u + h_p;
     const float D_p = B + h_p * G_p; // |q c + s^2|^4
     const float R_p = R_s * (B / D_p);
@@ -319,7 +320,8 @@ static inline fresnel_boundary conductor_boundary(float n_i, float n_t, float k_
     const float h_p = h * sin2;
     const float N = t0 * cos2 - s4;
     const float M = Z * cos2;
-    const float B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
+    const float M2 = M * M + 8.4703295e-22f; // above 0, so that D_p is
+    const float B = (N * N + M2) * S; // |q c - s^2|^2 |q c + s^2|^2
     const float G_p = (A * cos2 + s4) * u + h_p;
     const float D_p = B + h_p * G_p; // |q c + s^2|^4
     const float R_p = R_s * (B / D_p);
@@ -1098,6 +1100,7 @@ static inline float one_minus_cos_dir(fresnel_float3 normal, fresnel_float3 dire
 // cost    0 operations
 // source  no Fresnel effect
 static inline float constant(float f0, float cos_i) {
+    (void)cos_i;
     return f0;
 }
 
@@ -1205,7 +1208,7 @@ static inline fresnel_float3 lazanyi_rgb_dir(fresnel_float3 n, fresnel_float3 k,
 // g       edge tint, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
 // error   at most 1e-13, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
-// cost    97 operations
+// cost    99 operations
 // source  Gulbrandsen 2014, Artist Friendly Metallic Fresnel
 static inline float gulbrandsen(float r, float g, float cos_i) {
     const float f0 = fminf(r, 0.9999f) + 8.271806e-25f;
@@ -1214,7 +1217,7 @@ static inline float gulbrandsen(float r, float g, float cos_i) {
     const float one_minus_f0 = 1.0f - f0;
     const float n_max = t_2 / one_minus_f0;
     const float n_min = one_minus_f0 / (1.0f + f0);
-    const float n = n_max + (n_min - n_max) * g;
+    const float n = n_max * (1.0f - g) + n_min * g;
     const float k = sqrtf(fmaxf((n_max - n) * (n - one_minus_f0 / t_2), 0.0f) + 8.271806e-25f);
     const float c2 = cos_i * cos_i;
     const float sin2 = 1.0f - c2;
@@ -1235,7 +1238,8 @@ static inline float gulbrandsen(float r, float g, float cos_i) {
     const float h_p = h * sin2;
     const float N = t0 * c2 - s4;
     const float M = Z * c2;
-    const float B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
+    const float M2 = M * M + 8.4703295e-22f; // above 0, so that D_p is
+    const float B = (N * N + M2) * S; // |q c - s^2|^2 |q c + s^2|^2
     const float G_p = (A * c2 + s4) * u + h_p;
     const float D_p = B + h_p * G_p; // |q c + s^2|^4
     const float R_p = R_s * (B / D_p);

@@ -107,7 +107,7 @@ float eta_from_f0(float f0) {
 // cos_r     cosine between the view and the mirrored light, [-1, 1]
 // shininess sharpness, above 0
 float phong_lobe(float cos_r, float shininess) {
-    return pow(max(cos_r, 0.0), shininess);
+    return pow(abs(max(cos_r, 0.0)), shininess);
 }
 
 // Opacity by reflection: from the user's value to 1 at the silhouette.
@@ -246,7 +246,7 @@ fresnel_boundary dielectric_boundary(float n_i, float n_t, float cos_i) {
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 2e-6, up to 6e-2 at a critical angle of k_t = 0
-// cost    66 operations
+// cost    67 operations
 // source  Born and Wolf 1999, Principles of Optics, sec. 14.2
 float conductor(float n_i, float n_t, float k_t, float cos_i) {
     float c = n_i * cos_i;
@@ -271,7 +271,8 @@ float conductor(float n_i, float n_t, float k_t, float cos_i) {
     float h_p = h * sin2;
     float N = t0 * cos2 - s4;
     float M = Z * cos2;
-    float B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
+    float M2 = M * M + 8.4703295e-22; // above 0, so that D_p is
+    float B = (N * N + M2) * S; // |q c - s^2|^2 |q c + s^2|^2
     float G_p = (A * cos2 + s4) * u + h_p;
     float D_p = B + h_p * G_p; // |q c + s^2|^4
     float R_p = R_s * (B / D_p);
@@ -316,7 +317,8 @@ fresnel_boundary conductor_boundary(float n_i, float n_t, float k_t, float cos_i
     float h_p = h * sin2;
     float N = t0 * cos2 - s4;
     float M = Z * cos2;
-    float B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
+    float M2 = M * M + 8.4703295e-22; // above 0, so that D_p is
+    float B = (N * N + M2) * S; // |q c - s^2|^2 |q c + s^2|^2
     float G_p = (A * cos2 + s4) * u + h_p;
     float D_p = B + h_p * G_p; // |q c + s^2|^4
     float R_p = R_s * (B / D_p);
@@ -821,7 +823,7 @@ float3 schlick_f90(float3 f0, float3 f90, float3 normal, float3 direction) {
 // cost    13 operations
 // source  Real-Time Rendering, 4th ed., eq. 9.18
 float schlick_power(float f0, float f90, float power, float cos_i) {
-    return f0 + (f90 - f0) * pow(1.0 - cos_i, power);
+    return f0 + (f90 - f0) * pow(abs(1.0 - cos_i), power);
 }
 
 float schlick_power(float f0, float f90, float power, float3 normal, float3 direction) {
@@ -830,7 +832,7 @@ float schlick_power(float f0, float f90, float power, float3 normal, float3 dire
 
 // The same for three channels, which share the angle.
 float3 schlick_power(float3 f0, float3 f90, float3 power, float cos_i) {
-    return f0 + (f90 - f0) * pow((float3)(1.0 - cos_i), power);
+    return f0 + (f90 - f0) * pow(abs((float3)(1.0 - cos_i)), power);
 }
 
 float3 schlick_power(float3 f0, float3 f90, float3 power, float3 normal, float3 direction) {
@@ -1178,7 +1180,7 @@ float lazanyi(float n, float k, float a, float alpha, float cos_i) {
     float m2 = m * m;
     float n_plus_1 = n + 1.0;
     return saturate(min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (m2 * m2 * m)) / (n_plus_1 * n_plus_1 + k2),
-            1.0) - a * cos_i * pow(m, alpha));
+            1.0) - a * cos_i * pow(abs(m), alpha));
 }
 
 float lazanyi(float n, float k, float a, float alpha, float3 normal, float3 direction) {
@@ -1193,7 +1195,7 @@ float3 lazanyi(float3 n, float3 k, float3 a, float3 alpha, float cos_i) {
     float m2 = m * m;
     float3 n_plus_1 = n + 1.0;
     return saturate(min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (m2 * m2 * m)) / (n_plus_1 * n_plus_1 + k2),
-            (float3)1.0) - a * cos_i * pow((float3)m, alpha));
+            (float3)1.0) - a * cos_i * pow(abs((float3)m), alpha));
 }
 
 float3 lazanyi(float3 n, float3 k, float3 a, float3 alpha, float3 normal, float3 direction) {
@@ -1208,7 +1210,7 @@ float3 lazanyi(float3 n, float3 k, float3 a, float3 alpha, float3 normal, float3
 // g       edge tint, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
 // error   at most 1e-13, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
-// cost    97 operations
+// cost    99 operations
 // source  Gulbrandsen 2014, Artist Friendly Metallic Fresnel
 float gulbrandsen(float r, float g, float cos_i) {
     float f0 = min(r, 0.9999) + 8.271806e-25;
@@ -1217,7 +1219,7 @@ float gulbrandsen(float r, float g, float cos_i) {
     float one_minus_f0 = 1.0 - f0;
     float n_max = t_2 / one_minus_f0;
     float n_min = one_minus_f0 / (1.0 + f0);
-    float n = n_max + (n_min - n_max) * g;
+    float n = n_max * (1.0 - g) + n_min * g;
     float k = sqrt(max((n_max - n) * (n - one_minus_f0 / t_2), 0.0) + 8.271806e-25);
     float c2 = cos_i * cos_i;
     float sin2 = 1.0 - c2;
@@ -1238,7 +1240,8 @@ float gulbrandsen(float r, float g, float cos_i) {
     float h_p = h * sin2;
     float N = t0 * c2 - s4;
     float M = Z * c2;
-    float B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
+    float M2 = M * M + 8.4703295e-22; // above 0, so that D_p is
+    float B = (N * N + M2) * S; // |q c - s^2|^2 |q c + s^2|^2
     float G_p = (A * c2 + s4) * u + h_p;
     float D_p = B + h_p * G_p; // |q c + s^2|^4
     float R_p = R_s * (B / D_p);
@@ -1350,11 +1353,11 @@ float3 f82_tint(float3 f0, float3 tint, float3 normal, float3 direction) {
 // source  Hoffman 2019, Fresnel Equations Considered Harmful; MaterialX
 float hoffman(float f0, float f82, float f90, float power, float cos_i) {
     float t = f90 - f0;
-    float at_82 = f0 + t * pow(0.85714287, power);
+    float at_82 = f0 + t * pow(abs(0.85714287), power);
     float b = (at_82 - f82) * 17.651384;
     float m = 1.0 - cos_i;
     float m2 = m * m;
-    return saturate(f0 + t * pow(m, power) - b * cos_i * (m2 * m2 * m2));
+    return saturate(f0 + t * pow(abs(m), power) - b * cos_i * (m2 * m2 * m2));
 }
 
 float hoffman(float f0, float f82, float f90, float power, float3 normal, float3 direction) {
@@ -1364,11 +1367,11 @@ float hoffman(float f0, float f82, float f90, float power, float3 normal, float3
 // The same for three channels, which share the angle.
 float3 hoffman(float3 f0, float3 f82, float3 f90, float3 power, float cos_i) {
     float3 t = f90 - f0;
-    float3 at_82 = f0 + t * pow((float3)0.85714287, power);
+    float3 at_82 = f0 + t * pow(abs((float3)0.85714287), power);
     float3 b = (at_82 - f82) * 17.651384;
     float m = 1.0 - cos_i;
     float m2 = m * m;
-    return saturate(f0 + t * pow((float3)m, power) - b * cos_i * (m2 * m2 * m2));
+    return saturate(f0 + t * pow(abs((float3)m), power) - b * cos_i * (m2 * m2 * m2));
 }
 
 float3 hoffman(float3 f0, float3 f82, float3 f90, float3 power, float3 normal, float3 direction) {
@@ -1473,7 +1476,7 @@ float3 powers_2_8_16(float3 f0, float3 f82, float3 normal, float3 direction) {
 // cost    14 operations
 // source  Fernando and Kilgard 2003, The Cg Tutorial, ch. 7; Halladay 2014, Fresnel Shading
 float bias_scale_power(float bias, float scale, float power, float cos_i) {
-    return saturate(bias + scale * pow(1.0 - cos_i, power));
+    return saturate(bias + scale * pow(abs(1.0 - cos_i), power));
 }
 
 float bias_scale_power(float bias, float scale, float power, float3 normal, float3 direction) {
@@ -1482,7 +1485,7 @@ float bias_scale_power(float bias, float scale, float power, float3 normal, floa
 
 // The same for three channels, which share the angle.
 float3 bias_scale_power(float3 bias, float3 scale, float3 power, float cos_i) {
-    return saturate(bias + scale * pow((float3)(1.0 - cos_i), power));
+    return saturate(bias + scale * pow(abs((float3)(1.0 - cos_i)), power));
 }
 
 float3 bias_scale_power(float3 bias, float3 scale, float3 power, float3 normal, float3 direction) {

@@ -456,7 +456,7 @@ export const conductor = /*@__PURE__*/ native(/* wgsl */ `
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 2e-6, up to 6e-2 at a critical angle of k_t = 0
-// cost    66 operations
+// cost    67 operations
 // source  Born and Wolf 1999, Principles of Optics, sec. 14.2
 fn conductor(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let c = n_i * cos_i;
@@ -481,7 +481,8 @@ fn conductor(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let h_p = h * sin2;
     let N = t0 * cos2 - s4;
     let M = Z * cos2;
-    let B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
+    let M2 = M * M + 8.4703295e-22; // above 0, so that D_p is
+    let B = (N * N + M2) * S; // |q c - s^2|^2 |q c + s^2|^2
     let G_p = (A * cos2 + s4) * u + h_p;
     let D_p = B + h_p * G_p; // |q c + s^2|^4
     let R_p = R_s * (B / D_p);
@@ -497,7 +498,7 @@ fn conductor(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 2e-6, up to 6e-2 at a critical angle of k_t = 0
-// cost    66 operations
+// cost    67 operations
 // source  Born and Wolf 1999, Principles of Optics, sec. 14.2
 float conductor(float n_i, float n_t, float k_t, float cos_i) {
     float c = n_i * cos_i;
@@ -522,7 +523,8 @@ float conductor(float n_i, float n_t, float k_t, float cos_i) {
     float h_p = h * sin2;
     float N = t0 * cos2 - s4;
     float M = Z * cos2;
-    float B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
+    float M2 = M * M + 8.4703295e-22; // above 0, so that D_p is
+    float B = (N * N + M2) * S; // |q c - s^2|^2 |q c + s^2|^2
     float G_p = (A * cos2 + s4) * u + h_p;
     float D_p = B + h_p * G_p; // |q c + s^2|^4
     float R_p = R_s * (B / D_p);
@@ -2101,7 +2103,7 @@ export const gulbrandsen = /*@__PURE__*/ native(/* wgsl */ `
 // g       edge tint, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
 // error   at most 1e-13, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
-// cost    97 operations
+// cost    99 operations
 // source  Gulbrandsen 2014, Artist Friendly Metallic Fresnel
 fn gulbrandsen(r: f32, g: f32, cos_i: f32) -> f32 {
     let f0 = min(r, 0.9999) + 8.271806e-25;
@@ -2110,7 +2112,7 @@ fn gulbrandsen(r: f32, g: f32, cos_i: f32) -> f32 {
     let one_minus_f0 = 1.0 - f0;
     let n_max = t_2 / one_minus_f0;
     let n_min = one_minus_f0 / (1.0 + f0);
-    let n = n_max + (n_min - n_max) * g;
+    let n = n_max * (1.0 - g) + n_min * g;
     let k = sqrt(max((n_max - n) * (n - one_minus_f0 / t_2), 0.0) + 8.271806e-25);
     let c2 = cos_i * cos_i;
     let sin2 = 1.0 - c2;
@@ -2131,7 +2133,8 @@ fn gulbrandsen(r: f32, g: f32, cos_i: f32) -> f32 {
     let h_p = h * sin2;
     let N = t0 * c2 - s4;
     let M = Z * c2;
-    let B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
+    let M2 = M * M + 8.4703295e-22; // above 0, so that D_p is
+    let B = (N * N + M2) * S; // |q c - s^2|^2 |q c + s^2|^2
     let G_p = (A * c2 + s4) * u + h_p;
     let D_p = B + h_p * G_p; // |q c + s^2|^4
     let R_p = R_s * (B / D_p);
@@ -2146,7 +2149,7 @@ fn gulbrandsen(r: f32, g: f32, cos_i: f32) -> f32 {
 // g       edge tint, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
 // error   at most 1e-13, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
-// cost    97 operations
+// cost    99 operations
 // source  Gulbrandsen 2014, Artist Friendly Metallic Fresnel
 float gulbrandsen(float r, float g, float cos_i) {
     float f0 = min(r, 0.9999) + 8.271806e-25;
@@ -2155,7 +2158,7 @@ float gulbrandsen(float r, float g, float cos_i) {
     float one_minus_f0 = 1.0 - f0;
     float n_max = t_2 / one_minus_f0;
     float n_min = one_minus_f0 / (1.0 + f0);
-    float n = n_max + (n_min - n_max) * g;
+    float n = n_max * (1.0 - g) + n_min * g;
     float k = sqrt(max((n_max - n) * (n - one_minus_f0 / t_2), 0.0) + 8.271806e-25);
     float c2 = cos_i * cos_i;
     float sin2 = 1.0 - c2;
@@ -2176,7 +2179,8 @@ float gulbrandsen(float r, float g, float cos_i) {
     float h_p = h * sin2;
     float N = t0 * c2 - s4;
     float M = Z * c2;
-    float B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
+    float M2 = M * M + 8.4703295e-22; // above 0, so that D_p is
+    float B = (N * N + M2) * S; // |q c - s^2|^2 |q c + s^2|^2
     float G_p = (A * c2 + s4) * u + h_p;
     float D_p = B + h_p * G_p; // |q c + s^2|^4
     float R_p = R_s * (B / D_p);

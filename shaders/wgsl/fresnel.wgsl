@@ -244,7 +244,7 @@ fn dielectric_boundary(n_i: f32, n_t: f32, cos_i: f32) -> fresnel_boundary {
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 2e-6, up to 6e-2 at a critical angle of k_t = 0
-// cost    66 operations
+// cost    67 operations
 // source  Born and Wolf 1999, Principles of Optics, sec. 14.2
 fn conductor(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let c = n_i * cos_i;
@@ -269,7 +269,8 @@ fn conductor(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let h_p = h * sin2;
     let N = t0 * cos2 - s4;
     let M = Z * cos2;
-    let B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
+    let M2 = M * M + 8.4703295e-22; // above 0, so that D_p is
+    let B = (N * N + M2) * S; // |q c - s^2|^2 |q c + s^2|^2
     let G_p = (A * cos2 + s4) * u + h_p;
     let D_p = B + h_p * G_p; // |q c + s^2|^4
     let R_p = R_s * (B / D_p);
@@ -314,7 +315,8 @@ fn conductor_boundary(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> fresnel_bound
     let h_p = h * sin2;
     let N = t0 * cos2 - s4;
     let M = Z * cos2;
-    let B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
+    let M2 = M * M + 8.4703295e-22; // above 0, so that D_p is
+    let B = (N * N + M2) * S; // |q c - s^2|^2 |q c + s^2|^2
     let G_p = (A * cos2 + s4) * u + h_p;
     let D_p = B + h_p * G_p; // |q c + s^2|^4
     let R_p = R_s * (B / D_p);
@@ -1200,7 +1202,7 @@ fn lazanyi_rgb_dir(n: vec3f, k: vec3f, a: vec3f, alpha: vec3f, normal: vec3f, di
 // g       edge tint, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
 // error   at most 1e-13, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
-// cost    97 operations
+// cost    99 operations
 // source  Gulbrandsen 2014, Artist Friendly Metallic Fresnel
 fn gulbrandsen(r: f32, g: f32, cos_i: f32) -> f32 {
     let f0 = min(r, 0.9999) + 8.271806e-25;
@@ -1209,7 +1211,7 @@ fn gulbrandsen(r: f32, g: f32, cos_i: f32) -> f32 {
     let one_minus_f0 = 1.0 - f0;
     let n_max = t_2 / one_minus_f0;
     let n_min = one_minus_f0 / (1.0 + f0);
-    let n = n_max + (n_min - n_max) * g;
+    let n = n_max * (1.0 - g) + n_min * g;
     let k = sqrt(max((n_max - n) * (n - one_minus_f0 / t_2), 0.0) + 8.271806e-25);
     let c2 = cos_i * cos_i;
     let sin2 = 1.0 - c2;
@@ -1230,7 +1232,8 @@ fn gulbrandsen(r: f32, g: f32, cos_i: f32) -> f32 {
     let h_p = h * sin2;
     let N = t0 * c2 - s4;
     let M = Z * c2;
-    let B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
+    let M2 = M * M + 8.4703295e-22; // above 0, so that D_p is
+    let B = (N * N + M2) * S; // |q c - s^2|^2 |q c + s^2|^2
     let G_p = (A * c2 + s4) * u + h_p;
     let D_p = B + h_p * G_p; // |q c + s^2|^4
     let R_p = R_s * (B / D_p);

@@ -115,7 +115,8 @@ nlohmann::json to_json(const table& what) {
 
 nlohmann::json to_json(const figure& what) {
     const auto axis_json = [](const axis& a) {
-        return nlohmann::json{{"label", a.label}, {"lo", a.lo}, {"hi", a.hi}, {"tick", a.tick}, {"logarithmic", a.logarithmic}};
+        return nlohmann::json{
+            {"label", a.label}, {"lo", a.lo}, {"hi", a.hi}, {"tick", a.tick}, {"logarithmic", a.logarithmic}};
     };
     constexpr std::array<const char*, 4> styles = {"solid", "dashed", "dotted", "points"};
     nlohmann::json curves = nlohmann::json::array(), markers = curves, notes = curves, rows = curves, surface;

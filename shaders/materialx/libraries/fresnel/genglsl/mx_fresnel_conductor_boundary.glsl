@@ -24,7 +24,8 @@ fresnel_boundary fresnel_conductor_boundary(float n_i, float n_t, float k_t, flo
     float h_p = h * sin2;
     float N = t0 * cos2 - s4;
     float M = Z * cos2;
-    float B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
+    float M2 = M * M + 8.4703295e-22; // above 0, so that D_p is
+    float B = (N * N + M2) * S; // |q c - s^2|^2 |q c + s^2|^2
     float G_p = (A * cos2 + s4) * u + h_p;
     float D_p = B + h_p * G_p; // |q c + s^2|^4
     float R_p = R_s * (B / D_p);

@@ -9,7 +9,7 @@
 // g       edge tint, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
 // error   at most 1e-13, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
-// cost    97 operations
+// cost    99 operations
 // source  Gulbrandsen 2014, Artist Friendly Metallic Fresnel
 float fresnel_gulbrandsen(float r, float g, float cos_i) {
     float f0 = min(r, 0.9999) + 8.271806e-25;
@@ -18,7 +18,7 @@ float fresnel_gulbrandsen(float r, float g, float cos_i) {
     float one_minus_f0 = 1.0 - f0;
     float n_max = t_2 / one_minus_f0;
     float n_min = one_minus_f0 / (1.0 + f0);
-    float n = n_max + (n_min - n_max) * g;
+    float n = n_max * (1.0 - g) + n_min * g;
     float k = sqrt(max((n_max - n) * (n - one_minus_f0 / t_2), 0.0) + 8.271806e-25);
     float c2 = cos_i * cos_i;
     float sin2 = 1.0 - c2;
@@ -39,7 +39,8 @@ float fresnel_gulbrandsen(float r, float g, float cos_i) {
     float h_p = h * sin2;
     float N = t0 * c2 - s4;
     float M = Z * c2;
-    float B = (N * N + M * M) * S; // |q c - s^2|^2 |q c + s^2|^2
+    float M2 = M * M + 8.4703295e-22; // above 0, so that D_p is
+    float B = (N * N + M2) * S; // |q c - s^2|^2 |q c + s^2|^2
     float G_p = (A * c2 + s4) * u + h_p;
     float D_p = B + h_p * G_p; // |q c + s^2|^4
     float R_p = R_s * (B / D_p);
