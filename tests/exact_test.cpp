@@ -203,13 +203,13 @@ constexpr double no = std::numeric_limits<double>::infinity(); // no promise, or
 constexpr std::array<promise, input_classes.size()> promises = {{
     {{1e-6, 5e-6, 7e-7, 1e-4, 7e-7}, {8e-7, 7e-7, 7e-7, 7e-7, 7e-7}}, // external dielectric
     {{6e-6, 1e-5, 6e-6, 1e-4, 7e-7}, {6e-6, 6e-6, 6e-6, 6e-6, 4e-7}}, // internal dielectric
-    {{2e-6, no, 2e-6, no, 9e-7}, {3e-6, no, 3e-6, 3e-6, 5e-7}},       // index match
-    {{6e-6, 2e-5, 6e-6, 6e-6, 6e-7}, {6e-6, 2e-5, 6e-6, 6e-6, 4e-7}}, // near TIR
+    {{2e-6, no, 2e-6, no, 9e-7}, {3e-6, no, 3e-6, no, 5e-7}},         // index match
+    {{6e-6, 2e-5, 6e-6, 2e-5, 6e-7}, {6e-6, 2e-5, 6e-6, 2e-5, 4e-7}}, // near TIR
     {{1e-6, 6e-7, 5e-7, 5e-7, 6e-7}, {9e-7, 8e-7, 8e-7, 7e-7, 8e-7}}, // grazing
     {{4e-6, 4e-6, 4e-6, 1e-4, 7e-7}, {4e-6, 2e-6, 5e-6, 4e-6, 6e-7}}, // Brewster
     {{no, no, 4e-7, 3e-6, 5e-7}, {no, no, 7e-7, 7e-4, 7e-7}},         // metals
     {{no, no, 7e-7, 1e-4, 7e-7}, {no, no, 7e-7, 7e-7, 7e-7}},         // weak k
-    {{no, no, 4e-6, 8e-4, 7e-7}, {no, no, 9e-6, no, 6e-7}},           // weak k, internal
+    {{no, no, 4e-6, 8e-4, 7e-7}, {no, no, 2e-5, no, 6e-7}},           // weak k, internal
     {{no, no, 3e-7, 4e-4, 3e-7}, {no, no, 8e-7, no, 7e-7}},           // n << k
     {{no, no, 2e-6, 6e-6, 6e-7}, {no, no, 4e-6, 3e-4, 6e-7}},         // n = k < 1
     {{no, no, 2e-6, no, 9e-7}, {no, no, 3e-6, no, 6e-7}},             // index match, weak k

@@ -293,7 +293,7 @@ TEST(printer, makes_every_name_one_that_the_language_accepts) {
     EXPECT_EQ(legal("c", "new"), "new_") << "a header that C++ includes too";
     EXPECT_EQ(legal("glsl", "__x"), "x");
     EXPECT_EQ(legal("glsl", "a__b"), "a_b");
-    EXPECT_EQ(legal("glsl", "gl_Position"), "gl_Position_");
+    EXPECT_EQ(legal("glsl", "gl_Position"), "f_gl_Position");
     EXPECT_EQ(legal("osl", "normal"), "normal_");
     EXPECT_EQ(legal("glsl", "normal"), "normal");
     EXPECT_EQ(legal("c", "2fast"), "f_2fast");

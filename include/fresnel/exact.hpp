@@ -190,7 +190,7 @@ boundary<T> conductor(T n_i, T n_t, T k_t, T cos_i) {
     const T A = let("A", sqrt(t0 * t0 + Z2), "|q|^2");
     const T S = let("S", max(A + abs(t0), least_square<T>()), "0 only at the critical angle");
     const T u = let("u", sqrt(2 * S), "twice the larger of Re q and Im q");
-    const T a = let("a", select(t0 < 0, Z, S), "u Re q");
+    const T a = let("a", select(t0 <= 0, Z, S), "u Re q");
 
     const T h = let("h", 2 * (a * c));
     const T F = let("F", (E * E + Z2) * S, "|c - q|^2 |c + q|^2");
@@ -208,8 +208,8 @@ boundary<T> conductor(T n_i, T n_t, T k_t, T cos_i) {
     const T D_p = let("D_p", B + h_p * G_p, "|q c + s^2|^4");
     const T R_p = let("R_p", R_s * (B / D_p));
 
-    const T T_s = let("T_s", select(F <= 0, 1 - R_s, h * (G_s / D_s)));
-    const T T_p = let("T_p", T_s + R_s * (h_p * (G_p / D_p)));
+    const T T_s = let("T_s", select(F <= 0, 1 - R_s, 2 * (a * (G_s / D_s)) * c));
+    const T T_p = let("T_p", T_s + R_s * (2 * (a * (G_p / D_p)) * (c * sin2)));
     return {R_s, R_p, min(T_s, T(1)), min(T_p, T(1))};
 }
 
@@ -218,8 +218,8 @@ boundary<T> conductor(T n_i, T n_t, T k_t, T cos_i) {
 ///   R_s = (t1 - t2) / (t1 + t2)        R_p = R_s (t3 - t4) / (t3 + t4)
 ///
 /// n_i, n_t, k_t, cos_i, returns   as `conductor`
-/// error   float32: relative 3e-6 in R for metals, 1e-4 for dielectrics; R has no digit left near an index
-///         match (k_t < 1e-3 and n_t near n_i), T none where n_t << k_t. Equal media at cos_i = 0 transmit
+/// error   float32: relative 3e-6 in R for metals, 1e-4 for dielectrics; R and T have no digit left near an
+///         index match (k_t < 1e-3 and n_t near n_i), T none where n_t << k_t. Equal media at cos_i = 0 transmit
 ///         nothing
 /// source  Lagarde 2013, "Memo on Fresnel equations", after Shirley; lengths as in `dielectric`
 template <class T>
@@ -229,22 +229,21 @@ boundary<T> conductor_fast(T n_i, T n_t, T k_t, T cos_i) {
     const T cos2 = let("cos2", cos_i * cos_i);
     const T sin2 = let("sin2", 1 - cos2);
     const T s2 = let("s2", n_i * sin2);
-    const T t0 = let("t0", n_t * n_t - n_i * s2 - k_t * k_t);
+    const T t0 = let("t0", n_t * n_t - n_i * n_i - k_t * k_t + c2);
     const T nk2 = let("nk2", 2 * (n_t * k_t));
     const T A = let("A", sqrt(t0 * t0 + nk2 * nk2), "a^2 + b^2");
     const T a2 = let("a2", 2 * (A + t0), "(2 a)^2");
     const T a = let("a", select(a2 <= 0, T(0), sqrt(select(a2 <= 0, T(1), a2))));
 
     const T t1 = let("t1", A + c2);
-    const T t2 = let("t2", min(a * c, t1));
-    const T t3 = let("t3", cos2 * A + s2 * s2);
-    const T t4 = let("t4", min(t2 * sin2, t3));
-    const T D_s =
-        let("D_s", max(t1 + t2, negligible<T>())); // below it only for equal media at grazing incidence
+    const T t2 = let("t2", a * c);
+    const T t3 = let("t3", max(cos2 * A + s2 * s2, negligible<T>()), "0 only where n_t << n_i, at cos_i = 1");
+    const T t4 = let("t4", t2 * sin2);
+    const T D_s = let("D_s", max(t1 + t2, negligible<T>()), "0 only for equal media at cos_i = 0");
     const T D_p = let("D_p", t3 + t4);
 
-    const T R_s = let("R_s", (t1 - t2) / D_s);
-    const T R_p = let("R_p", R_s * ((t3 - t4) / D_p));
+    const T R_s = let("R_s", saturate((t1 - t2) / D_s));
+    const T R_p = let("R_p", R_s * saturate((t3 - t4) / D_p));
     const T T_s = let("T_s", 2 * t2 / D_s);
     const T T_p = let("T_p", T_s + R_s * (2 * t4 / D_p));
     return {R_s, R_p, min(T_s, T(1)), min(T_p, T(1))};

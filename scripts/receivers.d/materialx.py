@@ -204,4 +204,4 @@ class MaterialX(Receiver):
         if made["definitions"] < 100:
             failures.append(f"only {made['definitions']} definitions of nodes were found")
         return {"functions": made["definitions"], "files": files, "names": 0, "refused": faults,
-                "failures": [receiver.shortened(f) for f in failures], "note": f"; shadewire read {read} graphs; skipped: {'; '.join(self.skipped)}"}
+                "failures": [receiver.shortened(f) for f in failures], "note": f"; shadewire read {read} graphs; left out: {'; '.join(self.skipped)}"}

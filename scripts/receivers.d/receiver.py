@@ -119,6 +119,7 @@ class Function:
 
 def functions(language, text):
     """All that a text defines. Those inside `namespace NAME {`, at the start of a line, are called NAME::..."""
+    text = re.sub(r"([,(])\n +", r"\1 ", text)  # a long head goes on in the next line
     if language == "wgsl":
         found = re.findall(r"^fn (\w+)\((.*)\) -> (\w+) \{$", text, re.M)
         return [Function(n, [a.split(": ")[1] for a in args.split(", ")], result) for n, args, result in found]
