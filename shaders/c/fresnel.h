@@ -262,7 +262,7 @@ static inline float conductor(float n_i, float n_t, float k_t, float cos_i) {
     const float A = sqrtf(t0 * t0 + Z2); // |q|^2
     const float S = fmaxf(A + fabsf(t0), 8.881784e-16f); // 0 only at the critical angle
     const float u = sqrtf(2.0f * S); // twice the larger of Re q and Im q
-    const float a = t0 < 0.0f ? Z : S; // u Re q
+    const float a = t0 <= 0.0f ? Z : S; // u Re q
     const float h = 2.0f * (a * c);
     const float F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
     const float G_s = (A + c2) * u + h;
@@ -311,7 +311,7 @@ static inline fresnel_boundary conductor_boundary(float n_i, float n_t, float k_
     const float A = sqrtf(t0 * t0 + Z2); // |q|^2
     const float S = fmaxf(A + fabsf(t0), 8.881784e-16f); // 0 only at the critical angle
     const float u = sqrtf(2.0f * S); // twice the larger of Re q and Im q
-    const float a = t0 < 0.0f ? Z : S; // u Re q
+    const float a = t0 <= 0.0f ? Z : S; // u Re q
     const float h = 2.0f * (a * c);
     const float F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
     const float G_s = (A + c2) * u + h;
@@ -325,8 +325,8 @@ static inline fresnel_boundary conductor_boundary(float n_i, float n_t, float k_
     const float G_p = (A * cos2 + s4) * u + h_p;
     const float D_p = B + h_p * G_p; // |q c + s^2|^4
     const float R_p = R_s * (B / D_p);
-    const float T_s = F <= 0.0f ? 1.0f - R_s : h * (G_s / D_s);
-    const float T_p = T_s + R_s * (h_p * (G_p / D_p));
+    const float T_s = F <= 0.0f ? 1.0f - R_s : 2.0f * (a * (G_s / D_s)) * c;
+    const float T_p = T_s + R_s * (2.0f * (a * (G_p / D_p)) * (c * sin2));
     fresnel_boundary result = {R_s, R_p, fminf(T_s, 1.0f), fminf(T_p, 1.0f)};
     return result;
 }
@@ -404,7 +404,7 @@ static inline fresnel_boundary dielectric_fast_boundary(float n_i, float n_t, fl
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 3e-6 for metals, 1e-4 for dielectrics, no digit left near an index match
-// cost    50 operations
+// cost    54 operations
 // source  Lagarde 2013, Memo on Fresnel equations, after Shirley
 static inline float conductor_fast(float n_i, float n_t, float k_t, float cos_i) {
     const float c = n_i * cos_i;
@@ -412,19 +412,19 @@ static inline float conductor_fast(float n_i, float n_t, float k_t, float cos_i)
     const float cos2 = cos_i * cos_i;
     const float sin2 = 1.0f - cos2;
     const float s2 = n_i * sin2;
-    const float t0 = n_t * n_t - n_i * s2 - k_t * k_t;
+    const float t0 = n_t * n_t - n_i * n_i - k_t * k_t + c2;
     const float nk2 = 2.0f * (n_t * k_t);
     const float A = sqrtf(t0 * t0 + nk2 * nk2); // a^2 + b^2
     const float a2 = 2.0f * (A + t0); // (2 a)^2
     const float a = sqrtf(fmaxf(a2, 0.0f));
     const float t1 = A + c2;
-    const float t2 = fminf(a * c, t1);
-    const float t3 = cos2 * A + s2 * s2;
-    const float t4 = fminf(t2 * sin2, t3);
-    const float D_s = fmaxf(t1 + t2, 1.1754944e-38f);
+    const float t2 = a * c;
+    const float t3 = fmaxf(cos2 * A + s2 * s2, 1.1754944e-38f); // 0 only where n_t << n_i, at cos_i = 1
+    const float t4 = t2 * sin2;
+    const float D_s = fmaxf(t1 + t2, 1.1754944e-38f); // 0 only for equal media at cos_i = 0
     const float D_p = t3 + t4;
-    const float R_s = (t1 - t2) / D_s;
-    const float R_p = R_s * ((t3 - t4) / D_p);
+    const float R_s = fminf(fmaxf((t1 - t2) / D_s, 0.0f), 1.0f);
+    const float R_p = R_s * fminf(fmaxf((t3 - t4) / D_p, 0.0f), 1.0f);
     return (R_s + R_p) / 2.0f;
 }
 
@@ -453,19 +453,19 @@ static inline fresnel_boundary conductor_fast_boundary(float n_i, float n_t, flo
     const float cos2 = cos_i * cos_i;
     const float sin2 = 1.0f - cos2;
     const float s2 = n_i * sin2;
-    const float t0 = n_t * n_t - n_i * s2 - k_t * k_t;
+    const float t0 = n_t * n_t - n_i * n_i - k_t * k_t + c2;
     const float nk2 = 2.0f * (n_t * k_t);
     const float A = sqrtf(t0 * t0 + nk2 * nk2); // a^2 + b^2
     const float a2 = 2.0f * (A + t0); // (2 a)^2
     const float a = sqrtf(fmaxf(a2, 0.0f));
     const float t1 = A + c2;
-    const float t2 = fminf(a * c, t1);
-    const float t3 = cos2 * A + s2 * s2;
-    const float t4 = fminf(t2 * sin2, t3);
-    const float D_s = fmaxf(t1 + t2, 1.1754944e-38f);
+    const float t2 = a * c;
+    const float t3 = fmaxf(cos2 * A + s2 * s2, 1.1754944e-38f); // 0 only where n_t << n_i, at cos_i = 1
+    const float t4 = t2 * sin2;
+    const float D_s = fmaxf(t1 + t2, 1.1754944e-38f); // 0 only for equal media at cos_i = 0
     const float D_p = t3 + t4;
-    const float R_s = (t1 - t2) / D_s;
-    const float R_p = R_s * ((t3 - t4) / D_p);
+    const float R_s = fminf(fmaxf((t1 - t2) / D_s, 0.0f), 1.0f);
+    const float R_p = R_s * fminf(fmaxf((t3 - t4) / D_p, 0.0f), 1.0f);
     const float T_s = 2.0f * t2 / D_s;
     const float T_p = T_s + R_s * (2.0f * t4 / D_p);
     fresnel_boundary result = {R_s, R_p, fminf(T_s, 1.0f), fminf(T_p, 1.0f)};
@@ -1229,7 +1229,7 @@ static inline float gulbrandsen(float r, float g, float cos_i) {
     const float A = sqrtf(t0 * t0 + Z2); // |q|^2
     const float S = fmaxf(A + fabsf(t0), 8.881784e-16f); // 0 only at the critical angle
     const float u = sqrtf(2.0f * S); // twice the larger of Re q and Im q
-    const float a = t0 < 0.0f ? Z : S; // u Re q
+    const float a = t0 <= 0.0f ? Z : S; // u Re q
     const float h = 2.0f * (a * cos_i);
     const float F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
     const float G_s = (A + c2) * u + h;

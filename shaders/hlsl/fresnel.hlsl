@@ -262,7 +262,7 @@ float conductor(float n_i, float n_t, float k_t, float cos_i) {
     float A = sqrt(t0 * t0 + Z2); // |q|^2
     float S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
     float u = sqrt(2.0 * S); // twice the larger of Re q and Im q
-    float a = t0 < 0.0 ? Z : S; // u Re q
+    float a = t0 <= 0.0 ? Z : S; // u Re q
     float h = 2.0 * (a * c);
     float F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
     float G_s = (A + c2) * u + h;
@@ -308,7 +308,7 @@ fresnel_boundary conductor_boundary(float n_i, float n_t, float k_t, float cos_i
     float A = sqrt(t0 * t0 + Z2); // |q|^2
     float S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
     float u = sqrt(2.0 * S); // twice the larger of Re q and Im q
-    float a = t0 < 0.0 ? Z : S; // u Re q
+    float a = t0 <= 0.0 ? Z : S; // u Re q
     float h = 2.0 * (a * c);
     float F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
     float G_s = (A + c2) * u + h;
@@ -322,8 +322,8 @@ fresnel_boundary conductor_boundary(float n_i, float n_t, float k_t, float cos_i
     float G_p = (A * cos2 + s4) * u + h_p;
     float D_p = B + h_p * G_p; // |q c + s^2|^4
     float R_p = R_s * (B / D_p);
-    float T_s = F <= 0.0 ? 1.0 - R_s : h * (G_s / D_s);
-    float T_p = T_s + R_s * (h_p * (G_p / D_p));
+    float T_s = F <= 0.0 ? 1.0 - R_s : 2.0 * (a * (G_s / D_s)) * c;
+    float T_p = T_s + R_s * (2.0 * (a * (G_p / D_p)) * (c * sin2));
     fresnel_boundary result = {R_s, R_p, min(T_s, 1.0), min(T_p, 1.0)};
     return result;
 }
@@ -398,7 +398,7 @@ fresnel_boundary dielectric_fast_boundary(float n_i, float n_t, float cos_i) {
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 3e-6 for metals, 1e-4 for dielectrics, no digit left near an index match
-// cost    50 operations
+// cost    54 operations
 // source  Lagarde 2013, Memo on Fresnel equations, after Shirley
 float conductor_fast(float n_i, float n_t, float k_t, float cos_i) {
     float c = n_i * cos_i;
@@ -406,19 +406,19 @@ float conductor_fast(float n_i, float n_t, float k_t, float cos_i) {
     float cos2 = cos_i * cos_i;
     float sin2 = 1.0 - cos2;
     float s2 = n_i * sin2;
-    float t0 = n_t * n_t - n_i * s2 - k_t * k_t;
+    float t0 = n_t * n_t - n_i * n_i - k_t * k_t + c2;
     float nk2 = 2.0 * (n_t * k_t);
     float A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
     float a2 = 2.0 * (A + t0); // (2 a)^2
     float a = sqrt(max(a2, 0.0));
     float t1 = A + c2;
-    float t2 = min(a * c, t1);
-    float t3 = cos2 * A + s2 * s2;
-    float t4 = min(t2 * sin2, t3);
-    float D_s = max(t1 + t2, 1.1754944e-38);
+    float t2 = a * c;
+    float t3 = max(cos2 * A + s2 * s2, 1.1754944e-38); // 0 only where n_t << n_i, at cos_i = 1
+    float t4 = t2 * sin2;
+    float D_s = max(t1 + t2, 1.1754944e-38); // 0 only for equal media at cos_i = 0
     float D_p = t3 + t4;
-    float R_s = (t1 - t2) / D_s;
-    float R_p = R_s * ((t3 - t4) / D_p);
+    float R_s = saturate((t1 - t2) / D_s);
+    float R_p = R_s * saturate((t3 - t4) / D_p);
     return (R_s + R_p) / 2.0;
 }
 
@@ -433,19 +433,19 @@ float3 conductor_fast(float n_i, float3 n_t, float3 k_t, float cos_i) {
     float cos2 = cos_i * cos_i;
     float sin2 = 1.0 - cos2;
     float s2 = n_i * sin2;
-    float3 t0 = n_t * n_t - n_i * s2 - k_t * k_t;
+    float3 t0 = n_t * n_t - n_i * n_i - k_t * k_t + c2;
     float3 nk2 = 2.0 * (n_t * k_t);
     float3 A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
     float3 a2 = 2.0 * (A + t0); // (2 a)^2
     float3 a = sqrt(max(a2, (float3)0.0));
     float3 t1 = A + c2;
-    float3 t2 = min(a * c, t1);
-    float3 t3 = cos2 * A + s2 * s2;
-    float3 t4 = min(t2 * sin2, t3);
-    float3 D_s = max(t1 + t2, (float3)1.1754944e-38);
+    float3 t2 = a * c;
+    float3 t3 = max(cos2 * A + s2 * s2, (float3)1.1754944e-38); // 0 only where n_t << n_i, at cos_i = 1
+    float3 t4 = t2 * sin2;
+    float3 D_s = max(t1 + t2, (float3)1.1754944e-38); // 0 only for equal media at cos_i = 0
     float3 D_p = t3 + t4;
-    float3 R_s = (t1 - t2) / D_s;
-    float3 R_p = R_s * ((t3 - t4) / D_p);
+    float3 R_s = saturate((t1 - t2) / D_s);
+    float3 R_p = R_s * saturate((t3 - t4) / D_p);
     return (R_s + R_p) / 2.0;
 }
 
@@ -460,19 +460,19 @@ fresnel_boundary conductor_fast_boundary(float n_i, float n_t, float k_t, float 
     float cos2 = cos_i * cos_i;
     float sin2 = 1.0 - cos2;
     float s2 = n_i * sin2;
-    float t0 = n_t * n_t - n_i * s2 - k_t * k_t;
+    float t0 = n_t * n_t - n_i * n_i - k_t * k_t + c2;
     float nk2 = 2.0 * (n_t * k_t);
     float A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
     float a2 = 2.0 * (A + t0); // (2 a)^2
     float a = sqrt(max(a2, 0.0));
     float t1 = A + c2;
-    float t2 = min(a * c, t1);
-    float t3 = cos2 * A + s2 * s2;
-    float t4 = min(t2 * sin2, t3);
-    float D_s = max(t1 + t2, 1.1754944e-38);
+    float t2 = a * c;
+    float t3 = max(cos2 * A + s2 * s2, 1.1754944e-38); // 0 only where n_t << n_i, at cos_i = 1
+    float t4 = t2 * sin2;
+    float D_s = max(t1 + t2, 1.1754944e-38); // 0 only for equal media at cos_i = 0
     float D_p = t3 + t4;
-    float R_s = (t1 - t2) / D_s;
-    float R_p = R_s * ((t3 - t4) / D_p);
+    float R_s = saturate((t1 - t2) / D_s);
+    float R_p = R_s * saturate((t3 - t4) / D_p);
     float T_s = 2.0 * t2 / D_s;
     float T_p = T_s + R_s * (2.0 * t4 / D_p);
     fresnel_boundary result = {R_s, R_p, min(T_s, 1.0), min(T_p, 1.0)};
@@ -1231,7 +1231,7 @@ float gulbrandsen(float r, float g, float cos_i) {
     float A = sqrt(t0 * t0 + Z2); // |q|^2
     float S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
     float u = sqrt(2.0 * S); // twice the larger of Re q and Im q
-    float a = t0 < 0.0 ? Z : S; // u Re q
+    float a = t0 <= 0.0 ? Z : S; // u Re q
     float h = 2.0 * (a * cos_i);
     float F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
     float G_s = (A + c2) * u + h;

@@ -472,7 +472,7 @@ fn conductor(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let A = sqrt(t0 * t0 + Z2); // |q|^2
     let S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
     let u = sqrt(2.0 * S); // twice the larger of Re q and Im q
-    let a = select(S, Z, t0 < 0.0); // u Re q
+    let a = select(S, Z, t0 <= 0.0); // u Re q
     let h = 2.0 * (a * c);
     let F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
     let G_s = (A + c2) * u + h;
@@ -514,7 +514,7 @@ float conductor(float n_i, float n_t, float k_t, float cos_i) {
     float A = sqrt(t0 * t0 + Z2); // |q|^2
     float S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
     float u = sqrt(2.0 * S); // twice the larger of Re q and Im q
-    float a = t0 < 0.0 ? Z : S; // u Re q
+    float a = t0 <= 0.0 ? Z : S; // u Re q
     float h = 2.0 * (a * c);
     float F = (E_ * E_ + Z2) * S; // |c - q|^2 |c + q|^2
     float G_s = (A + c2) * u + h;
@@ -662,7 +662,7 @@ export const conductorFast = /*@__PURE__*/ native(/* wgsl */ `
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 3e-6 for metals, 1e-4 for dielectrics, no digit left near an index match
-// cost    50 operations
+// cost    54 operations
 // source  Lagarde 2013, Memo on Fresnel equations, after Shirley
 fn conductor_fast(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let c = n_i * cos_i;
@@ -670,19 +670,19 @@ fn conductor_fast(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let cos2 = cos_i * cos_i;
     let sin2 = 1.0 - cos2;
     let s2 = n_i * sin2;
-    let t0 = n_t * n_t - n_i * s2 - k_t * k_t;
+    let t0 = n_t * n_t - n_i * n_i - k_t * k_t + c2;
     let nk2 = 2.0 * (n_t * k_t);
     let A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
     let a2 = 2.0 * (A + t0); // (2 a)^2
     let a = sqrt(max(a2, 0.0));
     let t1 = A + c2;
-    let t2 = min(a * c, t1);
-    let t3 = cos2 * A + s2 * s2;
-    let t4 = min(t2 * sin2, t3);
-    let D_s = max(t1 + t2, 1.1754944e-38);
+    let t2 = a * c;
+    let t3 = max(cos2 * A + s2 * s2, 1.1754944e-38); // 0 only where n_t << n_i, at cos_i = 1
+    let t4 = t2 * sin2;
+    let D_s = max(t1 + t2, 1.1754944e-38); // 0 only for equal media at cos_i = 0
     let D_p = t3 + t4;
-    let R_s = (t1 - t2) / D_s;
-    let R_p = R_s * ((t3 - t4) / D_p);
+    let R_s = saturate((t1 - t2) / D_s);
+    let R_p = R_s * saturate((t3 - t4) / D_p);
     return (R_s + R_p) / 2.0;
 }
 `, /* glsl */ `
@@ -695,7 +695,7 @@ fn conductor_fast(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 3e-6 for metals, 1e-4 for dielectrics, no digit left near an index match
-// cost    50 operations
+// cost    54 operations
 // source  Lagarde 2013, Memo on Fresnel equations, after Shirley
 float conductor_fast(float n_i, float n_t, float k_t, float cos_i) {
     float c = n_i * cos_i;
@@ -703,19 +703,19 @@ float conductor_fast(float n_i, float n_t, float k_t, float cos_i) {
     float cos2 = cos_i * cos_i;
     float sin2 = 1.0 - cos2;
     float s2 = n_i * sin2;
-    float t0 = n_t * n_t - n_i * s2 - k_t * k_t;
+    float t0 = n_t * n_t - n_i * n_i - k_t * k_t + c2;
     float nk2 = 2.0 * (n_t * k_t);
     float A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
     float a2 = 2.0 * (A + t0); // (2 a)^2
     float a = sqrt(max(a2, 0.0));
     float t1 = A + c2;
-    float t2 = min(a * c, t1);
-    float t3 = cos2 * A + s2 * s2;
-    float t4 = min(t2 * sin2, t3);
-    float D_s = max(t1 + t2, 1.1754944e-38);
+    float t2 = a * c;
+    float t3 = max(cos2 * A + s2 * s2, 1.1754944e-38); // 0 only where n_t << n_i, at cos_i = 1
+    float t4 = t2 * sin2;
+    float D_s = max(t1 + t2, 1.1754944e-38); // 0 only for equal media at cos_i = 0
     float D_p = t3 + t4;
-    float R_s = (t1 - t2) / D_s;
-    float R_p = R_s * ((t3 - t4) / D_p);
+    float R_s = clamp((t1 - t2) / D_s, 0.0, 1.0);
+    float R_p = R_s * clamp((t3 - t4) / D_p, 0.0, 1.0);
     return (R_s + R_p) / 2.0;
 }
 `, []);
@@ -738,19 +738,19 @@ fn conductor_fast_rgb(n_i: f32, n_t: vec3f, k_t: vec3f, cos_i: f32) -> vec3f {
     let cos2 = cos_i * cos_i;
     let sin2 = 1.0 - cos2;
     let s2 = n_i * sin2;
-    let t0 = n_t * n_t - n_i * s2 - k_t * k_t;
+    let t0 = n_t * n_t - n_i * n_i - k_t * k_t + c2;
     let nk2 = 2.0 * (n_t * k_t);
     let A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
     let a2 = 2.0 * (A + t0); // (2 a)^2
     let a = sqrt(max(a2, vec3f(0.0)));
     let t1 = A + c2;
-    let t2 = min(a * c, t1);
-    let t3 = cos2 * A + s2 * s2;
-    let t4 = min(t2 * sin2, t3);
-    let D_s = max(t1 + t2, vec3f(1.1754944e-38));
+    let t2 = a * c;
+    let t3 = max(cos2 * A + s2 * s2, vec3f(1.1754944e-38)); // 0 only where n_t << n_i, at cos_i = 1
+    let t4 = t2 * sin2;
+    let D_s = max(t1 + t2, vec3f(1.1754944e-38)); // 0 only for equal media at cos_i = 0
     let D_p = t3 + t4;
-    let R_s = (t1 - t2) / D_s;
-    let R_p = R_s * ((t3 - t4) / D_p);
+    let R_s = saturate((t1 - t2) / D_s);
+    let R_p = R_s * saturate((t3 - t4) / D_p);
     return (R_s + R_p) / 2.0;
 }
 `, /* glsl */ `
@@ -761,19 +761,19 @@ vec3 conductor_fast_rgb(float n_i, vec3 n_t, vec3 k_t, float cos_i) {
     float cos2 = cos_i * cos_i;
     float sin2 = 1.0 - cos2;
     float s2 = n_i * sin2;
-    vec3 t0 = n_t * n_t - n_i * s2 - k_t * k_t;
+    vec3 t0 = n_t * n_t - n_i * n_i - k_t * k_t + c2;
     vec3 nk2 = 2.0 * (n_t * k_t);
     vec3 A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
     vec3 a2 = 2.0 * (A + t0); // (2 a)^2
     vec3 a = sqrt(max(a2, vec3(0.0)));
     vec3 t1 = A + c2;
-    vec3 t2 = min(a * c, t1);
-    vec3 t3 = cos2 * A + s2 * s2;
-    vec3 t4 = min(t2 * sin2, t3);
-    vec3 D_s = max(t1 + t2, vec3(1.1754944e-38));
+    vec3 t2 = a * c;
+    vec3 t3 = max(cos2 * A + s2 * s2, vec3(1.1754944e-38)); // 0 only where n_t << n_i, at cos_i = 1
+    vec3 t4 = t2 * sin2;
+    vec3 D_s = max(t1 + t2, vec3(1.1754944e-38)); // 0 only for equal media at cos_i = 0
     vec3 D_p = t3 + t4;
-    vec3 R_s = (t1 - t2) / D_s;
-    vec3 R_p = R_s * ((t3 - t4) / D_p);
+    vec3 R_s = clamp((t1 - t2) / D_s, 0.0, 1.0);
+    vec3 R_p = R_s * clamp((t3 - t4) / D_p, 0.0, 1.0);
     return (R_s + R_p) / 2.0;
 }
 `, []);
@@ -2124,7 +2124,7 @@ fn gulbrandsen(r: f32, g: f32, cos_i: f32) -> f32 {
     let A = sqrt(t0 * t0 + Z2); // |q|^2
     let S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
     let u = sqrt(2.0 * S); // twice the larger of Re q and Im q
-    let a = select(S, Z, t0 < 0.0); // u Re q
+    let a = select(S, Z, t0 <= 0.0); // u Re q
     let h = 2.0 * (a * cos_i);
     let F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
     let G_s = (A + c2) * u + h;
@@ -2170,7 +2170,7 @@ float gulbrandsen(float r, float g, float cos_i) {
     float A = sqrt(t0 * t0 + Z2); // |q|^2
     float S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
     float u = sqrt(2.0 * S); // twice the larger of Re q and Im q
-    float a = t0 < 0.0 ? Z : S; // u Re q
+    float a = t0 <= 0.0 ? Z : S; // u Re q
     float h = 2.0 * (a * cos_i);
     float F = (E_ * E_ + Z2) * S; // |c - q|^2 |c + q|^2
     float G_s = (A + c2) * u + h;

@@ -260,7 +260,7 @@ fn conductor(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let A = sqrt(t0 * t0 + Z2); // |q|^2
     let S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
     let u = sqrt(2.0 * S); // twice the larger of Re q and Im q
-    let a = select(S, Z, t0 < 0.0); // u Re q
+    let a = select(S, Z, t0 <= 0.0); // u Re q
     let h = 2.0 * (a * c);
     let F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
     let G_s = (A + c2) * u + h;
@@ -306,7 +306,7 @@ fn conductor_boundary(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> fresnel_bound
     let A = sqrt(t0 * t0 + Z2); // |q|^2
     let S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
     let u = sqrt(2.0 * S); // twice the larger of Re q and Im q
-    let a = select(S, Z, t0 < 0.0); // u Re q
+    let a = select(S, Z, t0 <= 0.0); // u Re q
     let h = 2.0 * (a * c);
     let F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
     let G_s = (A + c2) * u + h;
@@ -320,8 +320,8 @@ fn conductor_boundary(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> fresnel_bound
     let G_p = (A * cos2 + s4) * u + h_p;
     let D_p = B + h_p * G_p; // |q c + s^2|^4
     let R_p = R_s * (B / D_p);
-    let T_s = select(h * (G_s / D_s), 1.0 - R_s, F <= 0.0);
-    let T_p = T_s + R_s * (h_p * (G_p / D_p));
+    let T_s = select(2.0 * (a * (G_s / D_s)) * c, 1.0 - R_s, F <= 0.0);
+    let T_p = T_s + R_s * (2.0 * (a * (G_p / D_p)) * (c * sin2));
     return fresnel_boundary(R_s, R_p, min(T_s, 1.0), min(T_p, 1.0));
 }
 
@@ -393,7 +393,7 @@ fn dielectric_fast_boundary(n_i: f32, n_t: f32, cos_i: f32) -> fresnel_boundary 
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 3e-6 for metals, 1e-4 for dielectrics, no digit left near an index match
-// cost    50 operations
+// cost    54 operations
 // source  Lagarde 2013, Memo on Fresnel equations, after Shirley
 fn conductor_fast(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let c = n_i * cos_i;
@@ -401,19 +401,19 @@ fn conductor_fast(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let cos2 = cos_i * cos_i;
     let sin2 = 1.0 - cos2;
     let s2 = n_i * sin2;
-    let t0 = n_t * n_t - n_i * s2 - k_t * k_t;
+    let t0 = n_t * n_t - n_i * n_i - k_t * k_t + c2;
     let nk2 = 2.0 * (n_t * k_t);
     let A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
     let a2 = 2.0 * (A + t0); // (2 a)^2
     let a = sqrt(max(a2, 0.0));
     let t1 = A + c2;
-    let t2 = min(a * c, t1);
-    let t3 = cos2 * A + s2 * s2;
-    let t4 = min(t2 * sin2, t3);
-    let D_s = max(t1 + t2, 1.1754944e-38);
+    let t2 = a * c;
+    let t3 = max(cos2 * A + s2 * s2, 1.1754944e-38); // 0 only where n_t << n_i, at cos_i = 1
+    let t4 = t2 * sin2;
+    let D_s = max(t1 + t2, 1.1754944e-38); // 0 only for equal media at cos_i = 0
     let D_p = t3 + t4;
-    let R_s = (t1 - t2) / D_s;
-    let R_p = R_s * ((t3 - t4) / D_p);
+    let R_s = saturate((t1 - t2) / D_s);
+    let R_p = R_s * saturate((t3 - t4) / D_p);
     return (R_s + R_p) / 2.0;
 }
 
@@ -428,19 +428,19 @@ fn conductor_fast_rgb(n_i: f32, n_t: vec3f, k_t: vec3f, cos_i: f32) -> vec3f {
     let cos2 = cos_i * cos_i;
     let sin2 = 1.0 - cos2;
     let s2 = n_i * sin2;
-    let t0 = n_t * n_t - n_i * s2 - k_t * k_t;
+    let t0 = n_t * n_t - n_i * n_i - k_t * k_t + c2;
     let nk2 = 2.0 * (n_t * k_t);
     let A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
     let a2 = 2.0 * (A + t0); // (2 a)^2
     let a = sqrt(max(a2, vec3f(0.0)));
     let t1 = A + c2;
-    let t2 = min(a * c, t1);
-    let t3 = cos2 * A + s2 * s2;
-    let t4 = min(t2 * sin2, t3);
-    let D_s = max(t1 + t2, vec3f(1.1754944e-38));
+    let t2 = a * c;
+    let t3 = max(cos2 * A + s2 * s2, vec3f(1.1754944e-38)); // 0 only where n_t << n_i, at cos_i = 1
+    let t4 = t2 * sin2;
+    let D_s = max(t1 + t2, vec3f(1.1754944e-38)); // 0 only for equal media at cos_i = 0
     let D_p = t3 + t4;
-    let R_s = (t1 - t2) / D_s;
-    let R_p = R_s * ((t3 - t4) / D_p);
+    let R_s = saturate((t1 - t2) / D_s);
+    let R_p = R_s * saturate((t3 - t4) / D_p);
     return (R_s + R_p) / 2.0;
 }
 
@@ -455,19 +455,19 @@ fn conductor_fast_boundary(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> fresnel_
     let cos2 = cos_i * cos_i;
     let sin2 = 1.0 - cos2;
     let s2 = n_i * sin2;
-    let t0 = n_t * n_t - n_i * s2 - k_t * k_t;
+    let t0 = n_t * n_t - n_i * n_i - k_t * k_t + c2;
     let nk2 = 2.0 * (n_t * k_t);
     let A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
     let a2 = 2.0 * (A + t0); // (2 a)^2
     let a = sqrt(max(a2, 0.0));
     let t1 = A + c2;
-    let t2 = min(a * c, t1);
-    let t3 = cos2 * A + s2 * s2;
-    let t4 = min(t2 * sin2, t3);
-    let D_s = max(t1 + t2, 1.1754944e-38);
+    let t2 = a * c;
+    let t3 = max(cos2 * A + s2 * s2, 1.1754944e-38); // 0 only where n_t << n_i, at cos_i = 1
+    let t4 = t2 * sin2;
+    let D_s = max(t1 + t2, 1.1754944e-38); // 0 only for equal media at cos_i = 0
     let D_p = t3 + t4;
-    let R_s = (t1 - t2) / D_s;
-    let R_p = R_s * ((t3 - t4) / D_p);
+    let R_s = saturate((t1 - t2) / D_s);
+    let R_p = R_s * saturate((t3 - t4) / D_p);
     let T_s = 2.0 * t2 / D_s;
     let T_p = T_s + R_s * (2.0 * t4 / D_p);
     return fresnel_boundary(R_s, R_p, min(T_s, 1.0), min(T_p, 1.0));
@@ -1223,7 +1223,7 @@ fn gulbrandsen(r: f32, g: f32, cos_i: f32) -> f32 {
     let A = sqrt(t0 * t0 + Z2); // |q|^2
     let S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
     let u = sqrt(2.0 * S); // twice the larger of Re q and Im q
-    let a = select(S, Z, t0 < 0.0); // u Re q
+    let a = select(S, Z, t0 <= 0.0); // u Re q
     let h = 2.0 * (a * cos_i);
     let F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
     let G_s = (A + c2) * u + h;

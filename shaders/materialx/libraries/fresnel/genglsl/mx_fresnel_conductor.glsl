@@ -26,7 +26,7 @@ float fresnel_conductor(float n_i, float n_t, float k_t, float cos_i) {
     float A = sqrt(t0 * t0 + Z2); // |q|^2
     float S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
     float u = sqrt(2.0 * S); // twice the larger of Re q and Im q
-    float a = t0 < 0.0 ? Z : S; // u Re q
+    float a = t0 <= 0.0 ? Z : S; // u Re q
     float h = 2.0 * (a * c);
     float F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
     float G_s = (A + c2) * u + h;

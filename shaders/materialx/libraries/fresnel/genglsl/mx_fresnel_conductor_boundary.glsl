@@ -15,7 +15,7 @@ fresnel_boundary fresnel_conductor_boundary(float n_i, float n_t, float k_t, flo
     float A = sqrt(t0 * t0 + Z2); // |q|^2
     float S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
     float u = sqrt(2.0 * S); // twice the larger of Re q and Im q
-    float a = t0 < 0.0 ? Z : S; // u Re q
+    float a = t0 <= 0.0 ? Z : S; // u Re q
     float h = 2.0 * (a * c);
     float F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
     float G_s = (A + c2) * u + h;
@@ -29,8 +29,8 @@ fresnel_boundary fresnel_conductor_boundary(float n_i, float n_t, float k_t, flo
     float G_p = (A * cos2 + s4) * u + h_p;
     float D_p = B + h_p * G_p; // |q c + s^2|^4
     float R_p = R_s * (B / D_p);
-    float T_s = F <= 0.0 ? 1.0 - R_s : h * (G_s / D_s);
-    float T_p = T_s + R_s * (h_p * (G_p / D_p));
+    float T_s = F <= 0.0 ? 1.0 - R_s : 2.0 * (a * (G_s / D_s)) * c;
+    float T_p = T_s + R_s * (2.0 * (a * (G_p / D_p)) * (c * sin2));
     return fresnel_boundary(R_s, R_p, min(T_s, 1.0), min(T_p, 1.0));
 }
 
