@@ -38,6 +38,15 @@ TEST_F(shader, prints_schlick_as_a_person_would_write_it) {
                                            "    const float m = 1.0f - cos_i;\n");
 }
 
+TEST_F(shader, two_texts_pasted_into_one_file_keep_both_functions) {
+    for (const char* language : {"glsl", "essl", "hlsl", "msl", "osl", "cuda", "c", "slang"})
+        for (const char* model : {"schlick", "f82"}) {
+            const std::string printed = text(std::string(model) + " --lang " + language);
+            const std::size_t types = printed.rfind("#endif\n");
+            EXPECT_LT(types, printed.find(std::string("float ") + model + "(")) << language;
+        }
+}
+
 TEST_F(shader, says_above_each_function_what_it_is_and_where_from) {
     const std::string hlsl = text("f82 --lang hlsl");
     for (const char* piece :

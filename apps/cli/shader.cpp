@@ -109,7 +109,7 @@ std::string text_of(const options& given) {
     for (const std::string& model : given.models)
         text += "\n" + emit::model_text(l, request_of(given, model));
     note_renaming(l, given.name);
-    return text + emit::postamble(l);
+    return text;
 }
 
 void check_folder(const std::string& folder) {

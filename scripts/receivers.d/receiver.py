@@ -224,11 +224,11 @@ class Receiver:
         """Which functions of a text are not accepted, found by halving it."""
         blocks = text.split("\n\n")
         first = next(i for i, block in enumerate(blocks) if "incidence_cosine(" in block and "{" in block) + 1
-        end = blocks[-1] if blocks[-1].startswith("#endif") else ""
-        groups = [[b for b in blocks[first:] if not b.startswith("#endif")]]
+        first += blocks[first].startswith("#endif")  # of what all share
+        groups = [blocks[first:]]
         refused = []
         while groups:
-            parts = {f"part_{i}": "\n\n".join(blocks[:first] + group + [end]) + "\n" for i, group in enumerate(groups)}
+            parts = {f"part_{i}": "\n\n".join(blocks[:first] + group) + "\n" for i, group in enumerate(groups)}
             failed = [g for g, message in zip(groups, self.compile(self.written(parts))) if message]
             refused += [functions(self.language, g[0])[0].name for g in failed if len(g) == 1]
             groups = [half for g in failed if len(g) > 1 for half in (g[:len(g) // 2], g[len(g) // 2:])]

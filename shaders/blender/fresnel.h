@@ -1,12 +1,15 @@
 // Fresnel reflectance in Open Shading Language. Made by `fresnel shader --all --lang osl`; do not edit.
 //
-// eta = n_t / n_i, the index behind the surface over the one in front of it; a complex index is n + i k.
-// cos_i is the cosine of incidence, in [0, 1]. Directions are unit vectors and point away from the surface;
-// which one stands beside the normal is yours: the view, the light or the half vector with either.
+// eta = n_t / n_i, the index behind the surface over the one in front; complex: n + i k.
+// cos_i is the cosine of incidence, in [0, 1]. Directions are unit vectors, away from the surface;
+// the one beside the normal is yours: the view, the light or the half vector with either.
 // Reflectance is of unpolarised light and lies in [0, 1]. RGB values are linear.
 
 #ifndef FRESNEL_OSL
 #define FRESNEL_OSL
+
+#ifndef FRESNEL_OSL_COMMON
+#define FRESNEL_OSL_COMMON
 
 struct fresnel_boundary {
     float R_s;
@@ -22,6 +25,8 @@ struct fresnel_boundary {
 float incidence_cosine(vector normal_, vector direction) {
     return clamp(dot(normal_, direction), 0.0, 1.0);
 }
+
+#endif
 
 // ---- directions, angles and indices --------------------------------------------------------------------------
 

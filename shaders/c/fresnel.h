@@ -1,12 +1,15 @@
 // Fresnel reflectance in C99. Made by `fresnel shader --all --lang c`; do not edit.
 //
-// eta = n_t / n_i, the index behind the surface over the one in front of it; a complex index is n + i k.
-// cos_i is the cosine of incidence, in [0, 1]. Directions are unit vectors and point away from the surface;
-// which one stands beside the normal is yours: the view, the light or the half vector with either.
+// eta = n_t / n_i, the index behind the surface over the one in front; complex: n + i k.
+// cos_i is the cosine of incidence, in [0, 1]. Directions are unit vectors, away from the surface;
+// the one beside the normal is yours: the view, the light or the half vector with either.
 // Reflectance is of unpolarised light and lies in [0, 1]. RGB values are linear.
 
 #ifndef FRESNEL_C
 #define FRESNEL_C
+
+#ifndef FRESNEL_C_COMMON
+#define FRESNEL_C_COMMON
 
 #include <math.h>
 
@@ -26,6 +29,8 @@ typedef struct {
 static inline float incidence_cosine(fresnel_float3 normal, fresnel_float3 direction) {
     return fminf(fmaxf(normal.x * direction.x + normal.y * direction.y + normal.z * direction.z, 0.0f), 1.0f);
 }
+
+#endif
 
 // ---- directions, angles and indices --------------------------------------------------------------------------
 

@@ -1,11 +1,15 @@
 // Fresnel reflectance in CUDA and HIP. Made by `fresnel shader --all --lang cuda`; do not edit.
 //
-// eta = n_t / n_i, the index behind the surface over the one in front of it; a complex index is n + i k.
-// cos_i is the cosine of incidence, in [0, 1]. Directions are unit vectors and point away from the surface;
-// which one stands beside the normal is yours: the view, the light or the half vector with either.
+// eta = n_t / n_i, the index behind the surface over the one in front; complex: n + i k.
+// cos_i is the cosine of incidence, in [0, 1]. Directions are unit vectors, away from the surface;
+// the one beside the normal is yours: the view, the light or the half vector with either.
 // Reflectance is of unpolarised light and lies in [0, 1]. RGB values are linear.
 
-#pragma once
+#ifndef FRESNEL_CUDA
+#define FRESNEL_CUDA
+
+#ifndef FRESNEL_CUDA_COMMON
+#define FRESNEL_CUDA_COMMON
 
 #ifdef __CUDACC__
 #define FRESNEL_FUNCTION __host__ __device__ inline
@@ -28,6 +32,8 @@ struct fresnel_boundary {
 FRESNEL_FUNCTION float incidence_cosine(float3 normal, float3 direction) {
     return fminf(fmaxf(normal.x * direction.x + normal.y * direction.y + normal.z * direction.z, 0.0f), 1.0f);
 }
+
+#endif
 
 // ---- directions, angles and indices --------------------------------------------------------------------------
 
@@ -1418,3 +1424,5 @@ FRESNEL_FUNCTION float3 bias_scale_power(float3 bias, float3 scale, float3 power
         float3 direction) {
     return bias_scale_power(bias, scale, power, incidence_cosine(normal, direction));
 }
+
+#endif

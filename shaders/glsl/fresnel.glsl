@@ -1,12 +1,15 @@
 // Fresnel reflectance in GLSL 3.30 and later. Made by `fresnel shader --all --lang glsl`; do not edit.
 //
-// eta = n_t / n_i, the index behind the surface over the one in front of it; a complex index is n + i k.
-// cos_i is the cosine of incidence, in [0, 1]. Directions are unit vectors and point away from the surface;
-// which one stands beside the normal is yours: the view, the light or the half vector with either.
+// eta = n_t / n_i, the index behind the surface over the one in front; complex: n + i k.
+// cos_i is the cosine of incidence, in [0, 1]. Directions are unit vectors, away from the surface;
+// the one beside the normal is yours: the view, the light or the half vector with either.
 // Reflectance is of unpolarised light and lies in [0, 1]. RGB values are linear.
 
 #ifndef FRESNEL_GLSL
 #define FRESNEL_GLSL
+
+#ifndef FRESNEL_GLSL_COMMON
+#define FRESNEL_GLSL_COMMON
 
 struct fresnel_boundary {
     float R_s, R_p; // reflected, polarised across and along the plane of incidence
@@ -20,6 +23,8 @@ struct fresnel_boundary {
 float incidence_cosine(vec3 normal, vec3 direction) {
     return clamp(dot(normal, direction), 0.0, 1.0);
 }
+
+#endif
 
 // ---- directions, angles and indices --------------------------------------------------------------------------
 

@@ -1,11 +1,15 @@
 // Fresnel reflectance in Metal shading language. Made by `fresnel shader --all --lang msl`; do not edit.
 //
-// eta = n_t / n_i, the index behind the surface over the one in front of it; a complex index is n + i k.
-// cos_i is the cosine of incidence, in [0, 1]. Directions are unit vectors and point away from the surface;
-// which one stands beside the normal is yours: the view, the light or the half vector with either.
+// eta = n_t / n_i, the index behind the surface over the one in front; complex: n + i k.
+// cos_i is the cosine of incidence, in [0, 1]. Directions are unit vectors, away from the surface;
+// the one beside the normal is yours: the view, the light or the half vector with either.
 // Reflectance is of unpolarised light and lies in [0, 1]. RGB values are linear.
 
-#pragma once
+#ifndef FRESNEL_MSL
+#define FRESNEL_MSL
+
+#ifndef FRESNEL_MSL_COMMON
+#define FRESNEL_MSL_COMMON
 
 #include <metal_stdlib>
 using namespace metal;
@@ -22,6 +26,8 @@ struct fresnel_boundary {
 inline float incidence_cosine(float3 normal, float3 direction) {
     return saturate(dot(normal, direction));
 }
+
+#endif
 
 // ---- directions, angles and indices --------------------------------------------------------------------------
 
@@ -1493,3 +1499,5 @@ inline float3 bias_scale_power(float3 bias, float3 scale, float3 power, float co
 inline float3 bias_scale_power(float3 bias, float3 scale, float3 power, float3 normal, float3 direction) {
     return bias_scale_power(bias, scale, power, incidence_cosine(normal, direction));
 }
+
+#endif

@@ -131,22 +131,32 @@ std::vector<std::string> helper_types(const language& l) {
 
 // ---- what a file opens and closes with --------------------------------------------------------------------
 
-std::string guard(const language& l) { return fmt::format("FRESNEL_{}", l.id); }
+// Whether a language has a preprocessor, which keeps a text from being read twice.
+bool has_guards(const language& l) { return l.id != "wgsl"; }
 
-std::string opening(const language& l) {
-    if (l.id == "wgsl") return "";
-    if (l.id == "msl") return "#pragma once\n\n#include <metal_stdlib>\nusing namespace metal;\n\n";
-    if (l.id == "c") return "#ifndef FRESNEL_C\n#define FRESNEL_C\n\n#include <math.h>\n\n";
-    if (l.id == "cuda")
-        return "#pragma once\n\n#ifdef __CUDACC__\n#define FRESNEL_FUNCTION __host__ __device__ "
-               "inline\n#elif "
-               "defined(__HIP__)\n#include <hip/hip_runtime.h>\n#define FRESNEL_FUNCTION __host__ __device__ "
-               "inline\n#else\n#define FRESNEL_FUNCTION inline\n#endif\n\n";
-    std::string name = guard(l);
+std::string guarded(const language& l, std::string_view part, const std::string& text) {
+    if (!has_guards(l)) return text;
+    std::string name = fmt::format("FRESNEL_{}{}", l.id, part);
     for (char& c : name)
         c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    return fmt::format("#ifndef {0}\n#define {0}\n\n{1}", name,
-                       l.id == "essl" ? "precision highp float;\n\n" : "");
+    return fmt::format("#ifndef {0}\n#define {0}\n\n{1}\n#endif\n", name, text);
+}
+
+// What the language itself must have before a function of ours.
+std::string opening(const language& l) {
+    if (l.id == "msl") return "#include <metal_stdlib>\nusing namespace metal;\n\n";
+    if (l.id == "c") return "#include <math.h>\n\n";
+    if (l.id == "essl") return "precision highp float;\n\n";
+    if (l.id == "cuda")
+        return "#ifdef __CUDACC__\n"
+               "#define FRESNEL_FUNCTION __host__ __device__ inline\n"
+               "#elif defined(__HIP__)\n"
+               "#include <hip/hip_runtime.h>\n"
+               "#define FRESNEL_FUNCTION __host__ __device__ inline\n"
+               "#else\n"
+               "#define FRESNEL_FUNCTION inline\n"
+               "#endif\n\n";
+    return "";
 }
 
 const function& cosine_function() {
@@ -167,23 +177,29 @@ std::string boundary_type(const language& l) {
     return types;
 }
 
-std::string preamble(const language& l, std::string_view made_by) {
-    const std::vector<std::string> head = {
-        fmt::format("Fresnel reflectance in {}. Made by `{}`; do not edit.", l.title, made_by),
-        "",
-        "eta = n_t / n_i, the index behind the surface over the one in front of it; a complex index is n + i "
-        "k.",
-        "cos_i is the cosine of incidence, in [0, 1]. Directions are unit vectors and point away from the "
-        "surface;",
-        "which one stands beside the normal is yours: the view, the light or the half vector with either.",
-        "Reflectance is of unpolarised light and lies in [0, 1]. RGB values are linear."};
-    return comment_block(head) + "\n" + opening(l) + boundary_type(l) + "\n" + print(l, cosine_function());
+namespace {
+
+std::string head(const language& l, std::string_view made_by) {
+    return comment_block({
+               fmt::format("Fresnel reflectance in {}. Made by `{}`; do not edit.", l.title, made_by),
+               "",
+               "eta = n_t / n_i, the index behind the surface over the one in front; complex: n + i k.",
+               "cos_i is the cosine of incidence, in [0, 1]. Directions are unit vectors, away from the "
+               "surface;",
+               "the one beside the normal is yours: the view, the light or the half vector with either.",
+               "Reflectance is of unpolarised light and lies in [0, 1]. RGB values are linear.",
+           }) +
+           "\n";
 }
 
-std::string postamble(const language& l) {
-    const bool guarded = l.id != "wgsl" && l.id != "msl" && l.id != "cuda";
-    return guarded ? "\n#endif\n" : "";
+// Types, and the cosine of two directions: once in a file, however many functions are pasted into it.
+std::string common(const language& l) {
+    return guarded(l, "_common", opening(l) + boundary_type(l) + "\n" + print(l, cosine_function()));
 }
+
+} // namespace
+
+std::string preamble(const language& l, std::string_view made_by) { return head(l, made_by) + common(l); }
 
 std::string scalar_text(const language& l, const model_request& wanted, const style& how) {
     return wrapped_lines(print(l, named(l, record(wanted.model, {1, false, wanted.fixed}), wanted), how));
@@ -248,8 +264,7 @@ sole_function sole_text(const language& l, const model_request& wanted, int widt
 }
 
 std::string library_text(const language& l) {
-    std::string text = preamble(l, fmt::format("fresnel shader --all --lang {}", l.id));
-    text += "\n" + rule("directions, angles and indices");
+    std::string text = common(l) + "\n" + rule("directions, angles and indices");
     std::vector<function> geometry = record_geometry();
     for (std::size_t i = 1; i < geometry.size(); ++i)
         text += wrapped_lines(print(l, geometry[i])) + "\n";
@@ -265,7 +280,7 @@ std::string library_text(const language& l) {
         text += model_text(l, {std::string(row.name)}) + "\n";
     }
     text.pop_back();
-    return text + postamble(l);
+    return head(l, fmt::format("fresnel shader --all --lang {}", l.id)) + guarded(l, "", text);
 }
 
 } // namespace fresnel::emit

@@ -32,11 +32,8 @@ struct sole_function {
 sole_function sole_text(const language& l, const model_request& wanted, int width);
 
 /// Everything that model_text needs before it: what the text is and its conventions, types, the cosine of two
-/// directions.
+/// directions. Several texts may be pasted into one file: where there is a preprocessor the types are read once.
 std::string preamble(const language& l, std::string_view made_by);
-
-/// What closes the text that `preamble` opened.
-std::string postamble(const language& l);
 
 /// The library file of a language: every model of the registry, and the geometry around them.
 std::string library_text(const language& l);

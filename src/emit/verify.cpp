@@ -136,7 +136,7 @@ std::string verify_text(const language& l, std::span<const verify_case> cases, c
         for (const function& f : record_geometry())
             if (f.name == c.name) text += "\n" + print(l, f, how);
     }
-    return text + postamble(l);
+    return text;
 }
 
 std::string verify_call(const language& l, const verify_case& c, std::string (*column)(int k)) {

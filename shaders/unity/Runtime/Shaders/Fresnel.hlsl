@@ -1,12 +1,15 @@
 // Fresnel reflectance in HLSL, shader model 2 and later, and Cg. Made by `fresnel shader --all --lang hlsl`; do not edit.
 //
-// eta = n_t / n_i, the index behind the surface over the one in front of it; a complex index is n + i k.
-// cos_i is the cosine of incidence, in [0, 1]. Directions are unit vectors and point away from the surface;
-// which one stands beside the normal is yours: the view, the light or the half vector with either.
+// eta = n_t / n_i, the index behind the surface over the one in front; complex: n + i k.
+// cos_i is the cosine of incidence, in [0, 1]. Directions are unit vectors, away from the surface;
+// the one beside the normal is yours: the view, the light or the half vector with either.
 // Reflectance is of unpolarised light and lies in [0, 1]. RGB values are linear.
 
 #ifndef FRESNEL_HLSL
 #define FRESNEL_HLSL
+
+#ifndef FRESNEL_HLSL_COMMON
+#define FRESNEL_HLSL_COMMON
 
 struct fresnel_boundary {
     float R_s, R_p; // reflected, polarised across and along the plane of incidence
@@ -20,6 +23,8 @@ struct fresnel_boundary {
 float incidence_cosine(float3 normal, float3 direction) {
     return saturate(dot(normal, direction));
 }
+
+#endif
 
 // ---- directions, angles and indices --------------------------------------------------------------------------
 
