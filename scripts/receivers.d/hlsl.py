@@ -44,7 +44,7 @@ class Slangc(Program):
         apart = super().texts()
         alone = {name: text for name, text in apart.items() if name.startswith(("model_", "sample_"))}
         self.together = len(alone) - 1
-        together = "".join(f"namespace in_{name} {{\n{text}\n}}\n#undef FRESNEL_{self.language.upper()}\n"
+        together = "".join(f"namespace in_{name} {{\n{text}\n}}\n#undef FRESNEL_{self.language.upper()}_COMMON\n"
                            for name, text in alone.items())
         return {"model_schlick": apart["model_schlick"], "alone": together} | {
             name: text for name, text in apart.items() if name not in alone}
