@@ -180,16 +180,16 @@ std::string boundary_type(const language& l) {
 namespace {
 
 std::string head(const language& l, std::string_view made_by) {
-    return comment_block({
-               fmt::format("Fresnel reflectance in {}. Made by `{}`; do not edit.", l.title, made_by),
-               "",
-               "eta = n_t / n_i, the index behind the surface over the one in front; complex: n + i k.",
-               "cos_i is the cosine of incidence, in [0, 1]. Directions are unit vectors, away from the "
-               "surface;",
-               "the one beside the normal is yours: the view, the light or the half vector with either.",
-               "Reflectance is of unpolarised light and lies in [0, 1]. RGB values are linear.",
-           }) +
-           "\n";
+    const std::vector<std::string> lines = {
+        fmt::format("Fresnel reflectance in {}. Made by `{}`; do not edit.", l.title, made_by),
+        "",
+        "eta = n_t / n_i, the index behind the surface over the one in front; complex: n + i k.",
+        "cos_i is the cosine of incidence, in [0, 1].",
+        "Directions are unit vectors and point away from the surface; the one beside the normal is",
+        "yours: the view, the light or the half vector with either.",
+        "Reflectance is of unpolarised light and lies in [0, 1]. RGB values are linear.",
+    };
+    return comment_block(lines) + "\n";
 }
 
 // Types, and the cosine of two directions: once in a file, however many functions are pasted into it.

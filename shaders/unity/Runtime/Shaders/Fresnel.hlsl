@@ -1,8 +1,9 @@
 // Fresnel reflectance in HLSL, shader model 2 and later, and Cg. Made by `fresnel shader --all --lang hlsl`; do not edit.
 //
 // eta = n_t / n_i, the index behind the surface over the one in front; complex: n + i k.
-// cos_i is the cosine of incidence, in [0, 1]. Directions are unit vectors, away from the surface;
-// the one beside the normal is yours: the view, the light or the half vector with either.
+// cos_i is the cosine of incidence, in [0, 1].
+// Directions are unit vectors and point away from the surface; the one beside the normal is
+// yours: the view, the light or the half vector with either.
 // Reflectance is of unpolarised light and lies in [0, 1]. RGB values are linear.
 
 #ifndef FRESNEL_HLSL
