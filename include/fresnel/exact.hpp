@@ -277,7 +277,8 @@ template <class T>
 twofold<T> two_product(T a, T b) {
     const T product = a * b;
     const twofold<T> x = halves(a), y = halves(b);
-    return {product, ((x.hi * y.hi - product) + x.hi * y.lo + x.lo * y.hi) + x.lo * y.lo};
+    const T over = x.hi * y.lo, under = x.lo * y.hi; // of a square one and the same, in this order
+    return {product, ((x.hi * y.hi - product) + over + under) + x.lo * y.lo};
 }
 
 template <class T>

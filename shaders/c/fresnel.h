@@ -497,12 +497,12 @@ static inline float conductor_precise(float n_i, float n_t, float k_t, float cos
     const float t_3 = 4097.0f * n_t;
     const float t_4 = t_3 - (t_3 - n_t);
     const float t_5 = n_t - t_4;
-    const float t_6 = t_5 * t_4;
+    const float t_6 = t_4 * t_5;
     const float t_7 = t_4 * t_4 - n_t2 + t_6 + t_6 + t_5 * t_5;
     const float t_8 = 4097.0f * k_t;
     const float t_9 = t_8 - (t_8 - k_t);
     const float t_10 = k_t - t_9;
-    const float t_11 = t_10 * t_9;
+    const float t_11 = t_9 * t_10;
     const float t_12 = t_9 * t_9 - k_t2 + t_11 + t_11 + t_10 * t_10;
     const float t_13 = t_7 + (-t_12);
     const float t_14 = n_t2 - (t - t_2) + (-k_t2 - t_2) + t_13;
@@ -519,7 +519,7 @@ static inline float conductor_precise(float n_i, float n_t, float k_t, float cos
     const float t_24 = 4097.0f * n_i;
     const float t_25 = t_24 - (t_24 - n_i);
     const float t_26 = n_i - t_25;
-    const float t_27 = t_26 * t_25;
+    const float t_27 = t_25 * t_26;
     const float t_28 = t_25 * t_25 - n_i2 + t_27 + t_27 + t_26 * t_26;
     const float t_29 = t_23 + (-t_28);
     const float t_30 = t_19 - (t_20 - t_21) + (-n_i2 - t_21) + t_29;
@@ -539,7 +539,7 @@ static inline float conductor_precise(float n_i, float n_t, float k_t, float cos
     const float t_43 = 4097.0f * cos_i;
     const float t_44 = t_43 - (t_43 - cos_i);
     const float t_45 = cos_i - t_44;
-    const float t_46 = t_45 * t_44;
+    const float t_46 = t_44 * t_45;
     const float t_47 = t_44 * t_44 - cos2 + t_46 + t_46 + t_45 * t_45;
     const float t_48 = t_38 * t_40 - t_36 + t_38 * t_41 + t_42 * t_40 + t_42 * t_41 +
             (n_i2 * t_47 + t_28 * cos2);
@@ -636,12 +636,12 @@ static inline fresnel_boundary conductor_precise_boundary(float n_i, float n_t, 
     const float t_3 = 4097.0f * n_t;
     const float t_4 = t_3 - (t_3 - n_t);
     const float t_5 = n_t - t_4;
-    const float t_6 = t_5 * t_4;
+    const float t_6 = t_4 * t_5;
     const float t_7 = t_4 * t_4 - n_t2 + t_6 + t_6 + t_5 * t_5;
     const float t_8 = 4097.0f * k_t;
     const float t_9 = t_8 - (t_8 - k_t);
     const float t_10 = k_t - t_9;
-    const float t_11 = t_10 * t_9;
+    const float t_11 = t_9 * t_10;
     const float t_12 = t_9 * t_9 - k_t2 + t_11 + t_11 + t_10 * t_10;
     const float t_13 = t_7 + (-t_12);
     const float t_14 = n_t2 - (t - t_2) + (-k_t2 - t_2) + t_13;
@@ -658,7 +658,7 @@ static inline fresnel_boundary conductor_precise_boundary(float n_i, float n_t, 
     const float t_24 = 4097.0f * n_i;
     const float t_25 = t_24 - (t_24 - n_i);
     const float t_26 = n_i - t_25;
-    const float t_27 = t_26 * t_25;
+    const float t_27 = t_25 * t_26;
     const float t_28 = t_25 * t_25 - n_i2 + t_27 + t_27 + t_26 * t_26;
     const float t_29 = t_23 + (-t_28);
     const float t_30 = t_19 - (t_20 - t_21) + (-n_i2 - t_21) + t_29;
@@ -678,7 +678,7 @@ static inline fresnel_boundary conductor_precise_boundary(float n_i, float n_t, 
     const float t_43 = 4097.0f * cos_i;
     const float t_44 = t_43 - (t_43 - cos_i);
     const float t_45 = cos_i - t_44;
-    const float t_46 = t_45 * t_44;
+    const float t_46 = t_44 * t_45;
     const float t_47 = t_44 * t_44 - cos2 + t_46 + t_46 + t_45 * t_45;
     const float t_48 = t_38 * t_40 - t_36 + t_38 * t_41 + t_42 * t_40 + t_42 * t_41 +
             (n_i2 * t_47 + t_28 * cos2);

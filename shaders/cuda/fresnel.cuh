@@ -485,12 +485,12 @@ FRESNEL_FUNCTION float conductor_precise(float n_i, float n_t, float k_t, float 
     float t_3 = 4097.0f * n_t;
     float t_4 = t_3 - (t_3 - n_t);
     float t_5 = n_t - t_4;
-    float t_6 = t_5 * t_4;
+    float t_6 = t_4 * t_5;
     float t_7 = t_4 * t_4 - n_t2 + t_6 + t_6 + t_5 * t_5;
     float t_8 = 4097.0f * k_t;
     float t_9 = t_8 - (t_8 - k_t);
     float t_10 = k_t - t_9;
-    float t_11 = t_10 * t_9;
+    float t_11 = t_9 * t_10;
     float t_12 = t_9 * t_9 - k_t2 + t_11 + t_11 + t_10 * t_10;
     float t_13 = t_7 + (-t_12);
     float t_14 = n_t2 - (t - t_2) + (-k_t2 - t_2) + t_13;
@@ -507,7 +507,7 @@ FRESNEL_FUNCTION float conductor_precise(float n_i, float n_t, float k_t, float 
     float t_24 = 4097.0f * n_i;
     float t_25 = t_24 - (t_24 - n_i);
     float t_26 = n_i - t_25;
-    float t_27 = t_26 * t_25;
+    float t_27 = t_25 * t_26;
     float t_28 = t_25 * t_25 - n_i2 + t_27 + t_27 + t_26 * t_26;
     float t_29 = t_23 + (-t_28);
     float t_30 = t_19 - (t_20 - t_21) + (-n_i2 - t_21) + t_29;
@@ -527,7 +527,7 @@ FRESNEL_FUNCTION float conductor_precise(float n_i, float n_t, float k_t, float 
     float t_43 = 4097.0f * cos_i;
     float t_44 = t_43 - (t_43 - cos_i);
     float t_45 = cos_i - t_44;
-    float t_46 = t_45 * t_44;
+    float t_46 = t_44 * t_45;
     float t_47 = t_44 * t_44 - cos2 + t_46 + t_46 + t_45 * t_45;
     float t_48 = t_38 * t_40 - t_36 + t_38 * t_41 + t_42 * t_40 + t_42 * t_41 + (n_i2 * t_47 + t_28 * cos2);
     float t_49 = t_36 + t_48;
@@ -620,12 +620,12 @@ FRESNEL_FUNCTION fresnel_boundary conductor_precise_boundary(float n_i, float n_
     float t_3 = 4097.0f * n_t;
     float t_4 = t_3 - (t_3 - n_t);
     float t_5 = n_t - t_4;
-    float t_6 = t_5 * t_4;
+    float t_6 = t_4 * t_5;
     float t_7 = t_4 * t_4 - n_t2 + t_6 + t_6 + t_5 * t_5;
     float t_8 = 4097.0f * k_t;
     float t_9 = t_8 - (t_8 - k_t);
     float t_10 = k_t - t_9;
-    float t_11 = t_10 * t_9;
+    float t_11 = t_9 * t_10;
     float t_12 = t_9 * t_9 - k_t2 + t_11 + t_11 + t_10 * t_10;
     float t_13 = t_7 + (-t_12);
     float t_14 = n_t2 - (t - t_2) + (-k_t2 - t_2) + t_13;
@@ -642,7 +642,7 @@ FRESNEL_FUNCTION fresnel_boundary conductor_precise_boundary(float n_i, float n_
     float t_24 = 4097.0f * n_i;
     float t_25 = t_24 - (t_24 - n_i);
     float t_26 = n_i - t_25;
-    float t_27 = t_26 * t_25;
+    float t_27 = t_25 * t_26;
     float t_28 = t_25 * t_25 - n_i2 + t_27 + t_27 + t_26 * t_26;
     float t_29 = t_23 + (-t_28);
     float t_30 = t_19 - (t_20 - t_21) + (-n_i2 - t_21) + t_29;
@@ -662,7 +662,7 @@ FRESNEL_FUNCTION fresnel_boundary conductor_precise_boundary(float n_i, float n_
     float t_43 = 4097.0f * cos_i;
     float t_44 = t_43 - (t_43 - cos_i);
     float t_45 = cos_i - t_44;
-    float t_46 = t_45 * t_44;
+    float t_46 = t_44 * t_45;
     float t_47 = t_44 * t_44 - cos2 + t_46 + t_46 + t_45 * t_45;
     float t_48 = t_38 * t_40 - t_36 + t_38 * t_41 + t_42 * t_40 + t_42 * t_41 + (n_i2 * t_47 + t_28 * cos2);
     float t_49 = t_36 + t_48;

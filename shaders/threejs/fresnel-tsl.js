@@ -808,12 +808,12 @@ fn conductor_precise(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let t_3 = 4097.0 * n_t;
     let t_4 = t_3 - (t_3 - n_t);
     let t_5 = n_t - t_4;
-    let t_6 = t_5 * t_4;
+    let t_6 = t_4 * t_5;
     let t_7 = t_4 * t_4 - n_t2 + t_6 + t_6 + t_5 * t_5;
     let t_8 = 4097.0 * k_t;
     let t_9 = t_8 - (t_8 - k_t);
     let t_10 = k_t - t_9;
-    let t_11 = t_10 * t_9;
+    let t_11 = t_9 * t_10;
     let t_12 = t_9 * t_9 - k_t2 + t_11 + t_11 + t_10 * t_10;
     let t_13 = t_7 + (-t_12);
     let t_14 = n_t2 - (t - t_2) + (-k_t2 - t_2) + t_13;
@@ -830,7 +830,7 @@ fn conductor_precise(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let t_24 = 4097.0 * n_i;
     let t_25 = t_24 - (t_24 - n_i);
     let t_26 = n_i - t_25;
-    let t_27 = t_26 * t_25;
+    let t_27 = t_25 * t_26;
     let t_28 = t_25 * t_25 - n_i2 + t_27 + t_27 + t_26 * t_26;
     let t_29 = t_23 + (-t_28);
     let t_30 = t_19 - (t_20 - t_21) + (-n_i2 - t_21) + t_29;
@@ -850,7 +850,7 @@ fn conductor_precise(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let t_43 = 4097.0 * cos_i;
     let t_44 = t_43 - (t_43 - cos_i);
     let t_45 = cos_i - t_44;
-    let t_46 = t_45 * t_44;
+    let t_46 = t_44 * t_45;
     let t_47 = t_44 * t_44 - cos2 + t_46 + t_46 + t_45 * t_45;
     let t_48 = t_38 * t_40 - t_36 + t_38 * t_41 + t_42 * t_40 + t_42 * t_41 + (n_i2 * t_47 + t_28 * cos2);
     let t_49 = t_36 + t_48;
@@ -937,12 +937,12 @@ float conductor_precise(float n_i, float n_t, float k_t, float cos_i) {
     float t_3 = 4097.0 * n_t;
     float t_4 = t_3 - (t_3 - n_t);
     float t_5 = n_t - t_4;
-    float t_6 = t_5 * t_4;
+    float t_6 = t_4 * t_5;
     float t_7 = t_4 * t_4 - n_t2 + t_6 + t_6 + t_5 * t_5;
     float t_8 = 4097.0 * k_t;
     float t_9 = t_8 - (t_8 - k_t);
     float t_10 = k_t - t_9;
-    float t_11 = t_10 * t_9;
+    float t_11 = t_9 * t_10;
     float t_12 = t_9 * t_9 - k_t2 + t_11 + t_11 + t_10 * t_10;
     float t_13 = t_7 + (-t_12);
     float t_14 = n_t2 - (t - t_2) + (-k_t2 - t_2) + t_13;
@@ -959,7 +959,7 @@ float conductor_precise(float n_i, float n_t, float k_t, float cos_i) {
     float t_24 = 4097.0 * n_i;
     float t_25 = t_24 - (t_24 - n_i);
     float t_26 = n_i - t_25;
-    float t_27 = t_26 * t_25;
+    float t_27 = t_25 * t_26;
     float t_28 = t_25 * t_25 - n_i2 + t_27 + t_27 + t_26 * t_26;
     float t_29 = t_23 + (-t_28);
     float t_30 = t_19 - (t_20 - t_21) + (-n_i2 - t_21) + t_29;
@@ -979,7 +979,7 @@ float conductor_precise(float n_i, float n_t, float k_t, float cos_i) {
     float t_43 = 4097.0 * cos_i;
     float t_44 = t_43 - (t_43 - cos_i);
     float t_45 = cos_i - t_44;
-    float t_46 = t_45 * t_44;
+    float t_46 = t_44 * t_45;
     float t_47 = t_44 * t_44 - cos2 + t_46 + t_46 + t_45 * t_45;
     float t_48 = t_38 * t_40 - t_36 + t_38 * t_41 + t_42 * t_40 + t_42 * t_41 + (n_i2 * t_47 + t_28 * cos2);
     float t_49 = t_36 + t_48;
