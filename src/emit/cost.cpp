@@ -112,9 +112,10 @@ std::vector<measured_cost> measure_costs(std::span<const cost_subject> subjects,
         const auto difference = [&](const char* what) {
             return (shader(0)[what] - shader(1)[what]) / times_measured;
         };
+        constexpr int half = times_measured / 2;
         costs.push_back({difference("Instructions"), std::max(0.0, difference("Latency")),
                          difference("Inverse Throughput"), shader(4)["Pre-Sched VGPRs"],
-                         (shader(2)["Instructions"] - shader(3)["Instructions"]) / (times_measured / 2)});
+                         (shader(2)["Instructions"] - shader(3)["Instructions"]) / half});
     }
     return costs;
 }
