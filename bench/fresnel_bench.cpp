@@ -157,48 +157,10 @@ unit_kernels units_of(std::string_view set) {
     return {};
 }
 
-/// What one unpolarised reflectance is made of, each operation once however often it is used. A change of sign and a
-/// magnitude are free.
-struct operation_counts {
-    int divisions = 0, roots = 0, others = 0, exponentials = 0, powers = 0;
+/// What one unpolarised reflectance is made of, each operation once however often it is used.
+operation_count operations_of(std::string_view model) { return emit::count_operations(emit::record(model)); }
 
-    explicit operation_counts(std::string_view model) {
-        const emit::function f = emit::record(model);
-        const std::vector<bool> needed = emit::needed_nodes(f);
-        for (std::uint32_t i = 0; i < f.graph.size(); ++i)
-            if (needed[i]) count(f.graph, f.graph[i]);
-    }
-    bool polynomial() const { return divisions + roots + exponentials + powers == 0; }
-
-private:
-    void count(const expression_graph& graph, const expression& x) {
-        switch (x.op) {
-        case operation::input:
-        case operation::constant:
-        case operation::negate:
-        case operation::absolute:
-            break;
-        case operation::divide:
-            ++(by_power_of_two(graph[x.operands[1]]) ? others : divisions);
-            break;
-        case operation::square_root:
-            ++roots;
-            break;
-        case operation::exponential2:
-            ++exponentials;
-            break;
-        case operation::power:
-            ++powers;
-            break;
-        default:
-            ++others;
-        }
-    }
-    static bool by_power_of_two(const expression& x) {
-        int exponent = 0;
-        return x.op == operation::constant && std::frexp(x.value[0], &exponent) == 0.5f;
-    }
-};
+bool is_polynomial(const operation_count& n) { return n.division + n.root + n.exponential + n.power == 0; }
 
 /// Works that measure the units, and what their times say about a model.
 struct limit {
@@ -213,9 +175,9 @@ struct limit {
     }
 
     /// Seconds per value from the times of those works.
-    static double seconds_per_value(const operation_counts& n, const double* times, double stream) {
-        const double divider = n.divisions * times[0] + n.roots * times[1];
-        const double others = n.others * times[2] + n.exponentials * times[3] + n.powers * times[4];
+    static double seconds_per_value(const operation_count& n, const double* times, double stream) {
+        const double divider = n.division * times[0] + n.root * times[1];
+        const double others = n.cheap * times[2] + n.exponential * times[3] + n.power * times[4];
         return std::max({divider / operations, others / operations, stream});
     }
 };
@@ -269,8 +231,8 @@ void run_model(benchmark::State& state, const std::string& name, const batch_mod
                                [&] { units.stream(in.arrays.data(), arrays, rival_R.data(), count); }};
     for (const work& unit : limit::works(units))
         works.push_back(unit);
-    const operation_counts operations(model.name);
-    const bool mixed = units.mix && count == small_size && operations.exponentials + operations.powers == 0;
+    const operation_count operations = operations_of(model.name);
+    const bool mixed = units.mix && count == small_size && operations.exponential + operations.power == 0;
     if (mixed) works.push_back([&] { units.mix(model.name, in.all.data(), rival_R.data(), count); });
 
     using rival = void (*)(const index_arrays&, float*, std::size_t);
@@ -404,7 +366,7 @@ void print_goals(std::FILE* to) {
             if (model.name == "conductor") print_goal(to, small, "share_of_limit", 0.75);
             if (model.name == "conductor_fast" || model.name.starts_with("dielectric"))
                 print_goal(to, small, "share_of_limit", 0.8);
-            if (operation_counts(model.name).polynomial()) print_goal(to, small, "share_of_limit", 0.9);
+            if (is_polynomial(operations_of(model.name))) print_goal(to, small, "share_of_limit", 0.9);
             print_goal(to, large, "share_of_limit", 0.85);
         }
         const std::string conductor = fmt::format("conductor/{}/{}", set, small_size);

@@ -34,7 +34,19 @@ class HlslGlslang(Program):
         return said if code else ""
 
 
-class Slangc(Program):
+class WithSlangc:
+    """A receiver whose compiler is slangc, from PyPI."""
+
+    def install(self):
+        self.slangc = pip("slang", SLANGC, options=["--no-deps"]) / "slangtorch/bin/slangc"
+        if not self.slangc.exists():
+            raise Skipped(f"{SLANGC} holds no slangc for this machine")
+
+    def version(self):
+        return "slangc " + run([self.slangc, "-version"])[1].strip()
+
+
+class Slangc(WithSlangc, Program):
     """Half a second for each file, so that most go into one, each in a namespace of its own."""
 
     options = []
@@ -52,14 +64,6 @@ class Slangc(Program):
     def check(self):
         report = super().check()
         return report | {"files": report["files"] + self.together}
-
-    def install(self):
-        self.slangc = pip("slang", SLANGC, options=["--no-deps"]) / "slangtorch/bin/slangc"
-        if not self.slangc.exists():
-            raise Skipped(f"{SLANGC} holds no slangc for this machine")
-
-    def version(self):
-        return "slangc " + run([self.slangc, "-version"])[1].strip()
 
     def compile_one(self, file):
         made = file.with_suffix(".out.glsl")

@@ -4,9 +4,9 @@ import shutil
 from pathlib import Path
 
 import corpus
-from hlsl import SLANGC
+from hlsl import WithSlangc
 from microsoft import Microsoft
-from receiver import Broken, Receiver, Skipped, add, cache, pip, run, shortened
+from receiver import Broken, Receiver, add, cache, run, shortened
 
 TECHNIQUES = ["none", "one-minus-cos", "per-vertex", "per-pixel", "lut", "highlights", "semitransparent"]
 STUBS = Path(__file__).resolve().parents[2] / "tests" / "unity"
@@ -79,16 +79,8 @@ class ProgramsFxc(Programs, Microsoft):
 
 
 @add
-class ProgramsSlang(Programs, Receiver):
+class ProgramsSlang(WithSlangc, Programs, Receiver):
     name, language, title = "programs-slang", "slang", "Slang programs"
-
-    def install(self):
-        self.slangc = pip("slang", SLANGC, options=["--no-deps"]) / "slangtorch/bin/slangc"
-        if not self.slangc.exists():
-            raise Skipped(f"{SLANGC} holds no slangc for this machine")
-
-    def version(self):
-        return "slangc " + run([self.slangc, "-version"])[1].strip()
 
     def compile_one(self, file):
         for stage in "vertex", "fragment":

@@ -68,7 +68,8 @@ struct counting {
         result.made_by = steps.size() - 1;
         return result;
     }
-    static constexpr operation_count cheap{1, 0, 0, 0}, division{0, 1, 0, 0}, root{0, 0, 1, 0};
+    static constexpr operation_count cheap{1, 0, 0, 0, 0}, division{0, 1, 0, 0, 0}, root{0, 0, 1, 0, 0},
+        exponential{0, 0, 0, 1, 0}, power{0, 0, 0, 0, 1};
 
     friend counting operator+(counting a, counting b) { return made(a.value + b.value, cheap, a, b); }
     friend counting operator-(counting a, counting b) { return made(a.value - b.value, cheap, a, b); }
@@ -94,11 +95,9 @@ struct counting {
     friend counting max(counting a, counting b) { return made(std::max(a.value, b.value), cheap, a, b); }
     friend counting abs(counting a) { return made(std::abs(a.value), {}, a); }
     friend counting sqrt(counting a) { return made(std::sqrt(a.value), root, a); }
-    friend counting exp2(counting a) { return made(std::exp2(a.value), {0, 0, 0, 4}, a); }
-    [[maybe_unused]] friend counting log2(counting a) { return made(std::log2(a.value), {0, 0, 0, 4}, a); }
-    friend counting pow(counting a, counting b) {
-        return made(std::pow(a.value, b.value), {0, 0, 0, 9}, a, b);
-    }
+    friend counting exp2(counting a) { return made(std::exp2(a.value), exponential, a); }
+    [[maybe_unused]] friend counting log2(counting a) { return made(std::log2(a.value), exponential, a); }
+    friend counting pow(counting a, counting b) { return made(std::pow(a.value, b.value), power, a, b); }
 
     // The operations behind one result, each once however often its value is used.
     operation_count needed() const {
@@ -108,7 +107,8 @@ struct counting {
         for (std::size_t i = made_by; i > 0; --i) {
             if (!wanted[i]) continue;
             sum.cheap += steps[i].cost.cheap, sum.division += steps[i].cost.division;
-            sum.root += steps[i].cost.root, sum.transcendental += steps[i].cost.transcendental;
+            sum.root += steps[i].cost.root;
+            sum.exponential += steps[i].cost.exponential, sum.power += steps[i].cost.power;
             for (const std::size_t operand : steps[i].operands)
                 wanted[operand] = true;
         }

@@ -46,8 +46,8 @@ std::string_view to_string(model_kind kind);
 /// it was made: + - * comparisons and selections are 1, a division, square root, exp2 or log2 is 4 and a pow 9, the
 /// rates of a graphics processor; a change of sign is free. For a model of several channels the caller multiplies.
 struct operation_count {
-    int cheap, division, root, transcendental;
-    int cost() const { return cheap + 4 * (division + root) + transcendental; }
+    int cheap, division, root, exponential, power;
+    int cost() const { return cheap + 4 * (division + root + exponential) + 9 * power; }
 };
 
 operation_count count_operations(std::string_view model);

@@ -189,10 +189,10 @@ operation_count count_operations(const function& f) {
         case operation::exponential2:
         case operation::logarithm2:
         case operation::logarithm:
-            count.transcendental += 4 * x.width;
+            count.exponential += x.width;
             break;
         case operation::power:
-            count.transcendental += 9 * x.width;
+            count.power += x.width;
             break;
         case operation::dot_product:
             count.cheap += 5;

@@ -5,6 +5,7 @@
 #include "emit/library.hpp"
 #include "emit/pack.hpp"
 #include "emit/packs/label.hpp"
+#include "figure/figure.hpp"
 
 #include <fmt/format.h>
 
@@ -51,7 +52,7 @@ port port_of(const parameter& p, int width) {
     return {std::string(p.name), width,
             fmt::format(R"(value="{}" uimin="{}" uimax="{}" uisoftmax="{}" uiname="{}" doc="{}")",
                         values(p.default_value, width), values(p.min, width), values(p.max, width),
-                        values(slider_end(p), width), parameter_label(p.name), xml_escaped(p.meaning))};
+                        values(slider_end(p), width), parameter_label(p.name), markup_text(p.meaning))};
 }
 
 port cosine_port() {
@@ -74,7 +75,7 @@ std::string definition_text(const node& n) {
     std::string text = fmt::format(
         "  <nodedef name=\"{}\" node=\"{}\" nodegroup=\"math\" version=\"{}\" isdefaultversion=\"true\" "
         "doc=\"{}\">\n",
-        n.definition(), n.category, FRESNEL_VERSION, xml_escaped(n.doc));
+        n.definition(), n.category, FRESNEL_VERSION, markup_text(n.doc));
     for (const port& p : n.inputs)
         text += fmt::format("    <input name=\"{}\" type=\"{}\" {} />\n", p.name, type_of(p), p.attributes);
     for (const port& p : n.outputs)

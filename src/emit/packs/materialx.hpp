@@ -3,7 +3,6 @@
 #include "emit/function.hpp"
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace fresnel::emit {
@@ -15,8 +14,5 @@ std::string materialx_example();
 
 /// Angles and indices around the models: the geometry's functions of numbers alone, which are nodes too.
 std::vector<function> materialx_functions();
-
-/// Text as an XML attribute or content holds it.
-std::string xml_escaped(std::string_view text);
 
 } // namespace fresnel::emit

@@ -1,5 +1,6 @@
 #include "analysis/curve.hpp"
 #include "emit/packs/materialx.hpp"
+#include "figure/figure.hpp"
 
 #include <fmt/format.h>
 
@@ -7,16 +8,18 @@
 
 namespace fresnel::emit {
 
-std::string xml_escaped(std::string_view text) {
-    std::string xml;
-    for (const char c : text)
-        xml += c == '&'   ? "&amp;"
-               : c == '<' ? "&lt;"
-               : c == '>' ? "&gt;"
-               : c == '"' ? "&quot;"
-                          : std::string(1, c);
-    return xml;
+namespace {
+
+const normal_colour& copper() {
+    static const normal_colour colour = colour_at_normal(load_material("copper"), color_space::srgb, 1);
+    return colour;
 }
+
+std::string triple(const rgb& c, int digits) {
+    return fmt::format("{1:.{0}g}, {2:.{0}g}, {3:.{0}g}", digits, c[0], c[1], c[2]);
+}
+
+} // namespace
 
 std::vector<function> materialx_functions() {
     std::vector<function> found;
@@ -28,8 +31,6 @@ std::vector<function> materialx_functions() {
 }
 
 std::string materialx_example() {
-    const normal_colour copper = colour_at_normal(load_material("copper"), color_space::srgb, 1);
-    const auto triple = [](const rgb& c) { return fmt::format("{:.4g}, {:.4g}, {:.4g}", c[0], c[1], c[2]); };
     return fmt::format(R"(<?xml version="1.0"?>
 <materialx version="1.39" colorspace="lin_rec709">
   <!-- The reflectance of copper as a colour that depends on the angle, shown unlit.
@@ -46,7 +47,7 @@ std::string materialx_example() {
   </surfacematerial>
 </materialx>
 )",
-                       xml_escaped(copper.page), triple(copper.f0), triple(copper.f82_tint));
+                       markup_text(copper().page), triple(copper().f0, 4), triple(copper().f82_tint, 4));
 }
 
 std::string materialx_readme() {
@@ -62,7 +63,8 @@ Copy `libraries/fresnel` into the `libraries` folder of MaterialX, or add the fo
 `MATERIALX_SEARCH_PATH`. Then use the nodes as any other, as in `examples/copper.mtlx`:
 
     <fresnel_f82_tint name="reflectance" type="color3">
-      <input name="f0" type="color3" value="0.93, 0.62, 0.52" />
+      <input name="f0" type="color3" value=")" +
+            triple(copper().f0, 2) + R"(" />
     </fresnel_f82_tint>
 
 - `fresnel_MODEL` takes `normal` and `viewdirection`, which are the shaded point's own where nothing is connected.
