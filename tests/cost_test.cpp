@@ -11,6 +11,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <set>
+#include <sstream>
 
 namespace fresnel::test {
 namespace {
@@ -78,6 +81,58 @@ TEST(cost_table, has_every_model_on_three_devices_and_in_two_stages_apart) {
             for (const char* stage : {"fragment", "vertex"})
                 EXPECT_NE(find_cost(row.name, gpu, stage), nullptr) << row.name << " " << gpu << " " << stage;
     EXPECT_EQ(find_cost("schlick", "voodoo"), nullptr);
+}
+
+// The names in the first column of the table of docs/cost.md, without what stands in brackets.
+std::vector<std::string> documented_gpus() {
+    std::istringstream lines(read_text(FRESNEL_SOURCE_DIR "/docs/cost.md"));
+    std::vector<std::string> names;
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("| ") || line.starts_with("| rows ")) continue;
+        std::istringstream cell(line.substr(2, line.find_first_of("|(", 2) - 2));
+        for (std::string name; std::getline(cell >> std::ws, name, ',');)
+            names.push_back(name.substr(0, name.find(' ')));
+    }
+    return names;
+}
+
+// The rows of each compiler, with its device and stage, where n_i is not a parameter; one row a model.
+std::map<std::string, std::map<std::string, double>> instructions_by_compiler() {
+    std::map<std::string, std::map<std::string, double>> by;
+    for (const cost_row& row : cost_table())
+        if (row.n_i != "free")
+            by[fmt::format("{} {} {}", row.gpu, row.stage, row.tool)].emplace(row.model, row.instructions);
+    return by;
+}
+
+TEST(cost_table, has_every_model_by_every_compiler_and_every_device_that_the_docs_name) {
+    std::set<std::string> gpus;
+    for (const auto& [compiler, costs] : instructions_by_compiler()) {
+        const std::string gpu = compiler.substr(0, compiler.find(' '));
+        gpus.insert(gpu);
+        for (const model_row<double>& row : model_table<double>()) {
+            const cost_row* longer = find_cost(row.name, "ps_3_0");
+            const bool has_no_room = gpu == "ps_2_0" && longer != nullptr && longer->instructions > 50;
+            EXPECT_NE(costs.contains(std::string(row.name)), has_no_room) << row.name << " " << compiler;
+        }
+    }
+    const std::vector<std::string> documented = documented_gpus();
+    EXPECT_EQ(gpus, std::set<std::string>(documented.begin(), documented.end()));
+}
+
+TEST(cost_table, every_model_costs_something_and_schlick_is_among_the_cheapest) {
+    constexpr double near = 3; // instructions
+    for (const auto& [compiler, costs] : instructions_by_compiler())
+        for (const auto& [model, instructions] : costs) {
+            if (model == "constant" || model == "one_minus_cos") { // the cosine alone, by a constant
+                EXPECT_NEAR(instructions, 0.5, 1) << model << " " << compiler;
+                continue;
+            }
+            EXPECT_GT(instructions, 0) << model << " " << compiler;
+            EXPECT_LE(costs.at("schlick"), instructions + near) << model << " " << compiler;
+            const bool exact = find_model<double>(model).kind == model_kind::exact;
+            EXPECT_GE(instructions, exact ? 2 * costs.at("schlick") : 0) << model << " " << compiler;
+        }
 }
 
 TEST(cost_table, reads_back_what_it_writes_and_names_the_line_of_what_it_cannot_read) {
