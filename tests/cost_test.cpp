@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -151,6 +153,27 @@ TEST(cost_table, reads_back_what_it_writes_and_names_the_line_of_what_it_cannot_
     };
     EXPECT_EQ(message("# words\nschlick,navi21\n"), "cost table, line 2: has 2 cells, must have 10");
     EXPECT_EQ(message("a,b,c,,six,,,,d,e\n"), "cost table, line 1: 'six' is not a number");
+}
+
+// ---- the listings -----------------------------------------------------------------------------------------
+
+TEST(cost_listings, have_the_slots_that_the_docs_say_and_are_all_named_there) {
+    namespace fs = std::filesystem;
+    const fs::path docs = fs::path(FRESNEL_SOURCE_DIR) / "docs";
+    const std::string text = read_text(docs / "programs.md");
+    const std::regex link(R"(\[(\d+)\]\(listings/(\S+)\))");
+    std::set<std::string> named;
+    for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it) {
+        const std::string listing = read_text(docs / "listings" / (*it)[2].str());
+        EXPECT_NE(listing.find(fmt::format("// approximately {} instruction slots", (*it)[1].str())),
+                  std::string::npos)
+            << (*it)[2];
+        named.insert((*it)[2]);
+    }
+    std::set<std::string> present;
+    for (const fs::directory_entry& file : fs::directory_iterator(docs / "listings"))
+        present.insert(file.path().filename());
+    EXPECT_EQ(named, present);
 }
 
 // ---- the targets ------------------------------------------------------------------------------------------

@@ -1,8 +1,9 @@
 """Microsoft: FXC in wine, by scripts/receivers.d."""
 import sys
+from pathlib import Path
 
-from common import folder, models, row, statements, subject
-from microsoft import Fxc, is_size
+from common import COMMAND, ROOT, folder, models, row, run, statements, subject
+from microsoft import OLD_SAMPLERS, Fxc, is_size
 
 PROFILES = {"ps_2_0": "fragment", "ps_3_0": "fragment", "vs_2_0": "vertex"}
 
@@ -21,9 +22,48 @@ def program(stage, model, evaluates):
     return f"{text}\n{head} {{\n    {body}\n    {last}\n}}\n"
 
 
+# ---- listings --------------------------------------------------------------------------------------------------
+
+LISTINGS = ROOT / "docs" / "listings"
+FIGURES = Path(__file__).with_name("programs")  # what figures of Wloka 2002 do, with our functions
+LISTED = [("figure-6", "vs_1_1"), ("per-vertex", "vs_1_1"), ("per-vertex", "ps_2_0"), ("figure-9", "ps_2_0"),
+          ("per-pixel", "vs_1_1"), ("per-pixel", "ps_2_0"), ("figure-11", "ps_2_0"), ("lut", "ps_2_0")]
+
+
+def listed_text(name):
+    """The text that is compiled, and the command that prints it."""
+    figure = FIGURES / f"{name}.hlsl"
+    arguments = "--all --lang hlsl" if figure.exists() else f"schlick --technique {name} --fix f0=0.02 --lang cg"
+    text = run([COMMAND, "shader", *arguments.split()])
+    command = f"fresnel shader {arguments}"
+    if figure.exists():
+        return f"{text}\n{figure.read_text()}", f"({command}; cat {figure.relative_to(ROOT)})"
+    return OLD_SAMPLERS + text, command
+
+
+def write_listings(compiler):
+    """Writes docs/listings: what FXC makes of whole programs."""
+    jobs, commands = [], []
+    for name, profile in LISTED:
+        text, command = listed_text(name)
+        entry = {"vs": "vertex_main", "ps": "fragment_main"}[profile[:2]]
+        file = folder() / f"{name}.hlsl"
+        file.write_text(text)
+        jobs.append((profile, entry, file, folder() / f"{name}.{profile}.txt"))
+        commands.append(f"// {command} > {name}.hlsl; fxc -O3 -T {profile} -E {entry} {name}.hlsl\n")
+    for (_, _, _, listing), command, (message, _) in zip(jobs, commands, compiler.jobs(jobs)):
+        if message:
+            raise SystemExit(f"cost: fxc: {listing.stem}: {message}")
+        (LISTINGS / listing.name).write_text(command + listing.read_text())
+
+
+# ---- the table -------------------------------------------------------------------------------------------------
+
+
 def measure():
     compiler = Fxc()
     compiler.install()
+    write_listings(compiler)
     rows = []
     for profile, stage in PROFILES.items():
         jobs = []

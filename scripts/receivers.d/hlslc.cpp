@@ -1,6 +1,7 @@
 // hlslc fxc|dxc DLL LIST
 // Compiles HLSL with Microsoft's compilers, which are Windows libraries: built by mingw, run in wine. Each line of LIST is
-// PROFILE ENTRY FILE. For each it prints `== OK SLOTS` or `== FAILED`, then what the compiler said. Warnings are failures.
+// PROFILE ENTRY FILE [LISTING]. For each it prints `== OK SLOTS` or `== FAILED`, then what the compiler said, and fxc
+// writes the listing. Warnings are failures.
 #include <windows.h>
 
 #include <d3dcompiler.h>
@@ -16,7 +17,7 @@
 namespace {
 
 struct job {
-    std::string profile, entry, file;
+    std::string profile, entry, file, listing;
 };
 
 struct outcome {
@@ -52,6 +53,7 @@ struct fxc {
             const char* text = static_cast<const char*>(listing->GetBufferPointer());
             if (const char* count = std::strstr(text, "approximately "))
                 o.slots = std::atoi(count + std::strlen("approximately "));
+            if (!j.listing.empty()) std::ofstream(j.listing) << text;
         }
         for (ID3DBlob* blob : {code, messages, listing})
             if (blob) blob->Release();
@@ -135,7 +137,10 @@ std::vector<job> jobs(const char* list) {
     while (std::getline(in, line)) {
         std::istringstream fields(line);
         job j;
-        if (fields >> j.profile >> j.entry >> j.file) all.push_back(j);
+        if (fields >> j.profile >> j.entry >> j.file) {
+            fields >> j.listing;
+            all.push_back(j);
+        }
     }
     return all;
 }

@@ -8,6 +8,7 @@ from callers import statements
 from receiver import Receiver, Skipped, add, apt, cache, functions, install, locked, npm, run
 
 HERE = Path(__file__).parent
+OLD_SAMPLERS = "#define sampler2D sampler\n#define samplerCUBE sampler\n"  # those of shader model 3 have one name in strict mode
 
 
 class Microsoft(Receiver):
@@ -37,9 +38,10 @@ class Microsoft(Receiver):
                     raise Skipped(f"wine does not start: {said.strip()[-200:]}")
 
     def jobs(self, all_of_them):
-        """Compiles (profile, entry, file) each; returns the message and the instruction slots of each."""
+        """Compiles (profile, entry, file) or, for FXC, (profile, entry, file, listing) each; returns the message and the
+        instruction slots of each."""
         listed = self.place / f"{self.which}.list"
-        listed.write_text("".join(f"{profile} {entry} {file}\n" for profile, entry, file in all_of_them))
+        listed.write_text("".join(" ".join(map(str, job)) + "\n" for job in all_of_them))
         code, said = run(["wine", self.driver, self.which, self.own, listed], env=self.environment, cwd=self.place)
         results = []
         for part in said.replace("\r", "").split("== ")[1:]:

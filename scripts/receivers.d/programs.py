@@ -5,7 +5,7 @@ from pathlib import Path
 
 import corpus
 from hlsl import WithSlangc
-from microsoft import Microsoft
+from microsoft import OLD_SAMPLERS, Microsoft
 from receiver import Broken, Receiver, add, cache, run, shortened
 
 TECHNIQUES = ["none", "one-minus-cos", "per-vertex", "per-pixel", "lut", "highlights", "semitransparent"]
@@ -66,8 +66,7 @@ class ProgramsFxc(Programs, Microsoft):
     def check(self):
         texts, messages, broken, broken_messages = {}, [], [], []
         for language, stages in self.stages.items():
-            # in strict mode the samplers of shader model 3 have one name
-            old = "#define sampler2D sampler\n#define samplerCUBE sampler\n" if language == "cg" else ""
+            old = OLD_SAMPLERS if language == "cg" else ""
             printed = programs(language, corpus.models(), ["schlick", "dielectric", "f82"])
             own = {f"{language}_{name}": old + text for name, text in printed.items()}
             messages += self.compile_texts(own, stages)
