@@ -41,6 +41,10 @@
 #include <string>
 #include <vector>
 
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
 namespace fresnel::bench {
 namespace {
 
@@ -83,14 +87,20 @@ std::vector<double> take_turns(const std::vector<work>& works, bool large) {
 
 // ---- inputs -----------------------------------------------------------------------------------------------
 
-/// Arrays that begin with a cache line, as those of a caller who cares do.
+/// Arrays that begin with a page of 2 MiB and lie in such pages where the system has them, as those of a caller who
+/// cares do: with pages of 4 KiB, looking these up is what a model in memory waits for.
 template <class T>
 struct aligned {
+    static constexpr std::align_val_t page{std::size_t{1} << 21};
     using value_type = T;
     T* allocate(std::size_t n) {
-        return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t{64}));
+        void* p = ::operator new(n * sizeof(T), page);
+#ifdef __linux__
+        if (n >= large_size) madvise(p, n * sizeof(T), MADV_HUGEPAGE);
+#endif
+        return static_cast<T*>(p);
     }
-    void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t{64}); }
+    void deallocate(T* p, std::size_t) { ::operator delete(p, page); }
     bool operator==(const aligned&) const { return true; }
 };
 using floats = std::vector<float, aligned<float>>;

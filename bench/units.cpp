@@ -66,12 +66,17 @@ using block = wide<value, FRESNEL_ISA_BATCHES>;
 
 template <int inputs>
 [[gnu::flatten]] void stream_of(const float* const* in, float* out, std::size_t count) {
+    const bool past_caches = count >= std::size_t{1} << 22; // as the kernels do
     for (std::size_t i = 0; i < count; i += block::size) {
         block sum = block::load(in[0] + i);
         for (int k = 1; k < inputs; ++k)
             sum = sum + block::load(in[k] + i);
-        sum.store(out + i);
+        if (past_caches)
+            sum.store_past_caches(out + i);
+        else
+            sum.store(out + i);
     }
+    lanes::fence();
 }
 
 void stream(const float* const* in, int input_count, float* out, std::size_t count) {

@@ -235,6 +235,51 @@ TEST(batch, a_single_value_stands_for_an_array_of_it) {
     });
 }
 
+TEST(batch, vacuum_outside_gives_the_same_bits_as_an_array_of_ones) {
+    for_each_vector_path([](const auto& row, const points& all, std::string_view set) {
+        if (row.kind != model_kind::exact) return;
+        points at = all;
+        at.columns[0].assign(at.size(), 1.0F);
+        auto arguments = arrays(at.columns);
+        const batch_argument cos_i = arguments.back();
+        arguments.pop_back();
+        arguments[0] = batch_argument::same(at.columns[0][0]);
+        const std::size_t n = at.size();
+
+        floats R(n), parts(4 * n);
+        evaluate_batch(row.name, arguments, cos_i, n, R.data(), one_thread(set));
+        EXPECT_TRUE(identical(at, R, reflectances(at, one_thread("scalar"))));
+        float* p = parts.data();
+        evaluate_batch_polarised(row.name, arguments, cos_i, n, {p, p + n, p + 2 * n, p + 3 * n},
+                                 one_thread(set));
+        EXPECT_TRUE(identical(at, parts, polarised_parts(at, one_thread("scalar"))));
+    });
+}
+
+TEST(batch, so_many_results_that_they_pass_the_caches_are_the_same) {
+    const std::size_t count = (std::size_t{1} << 22) + 37;
+    random_numbers random(5);
+    floats cos_i(count), R(count + 17), expected(count);
+    for (float& c : cos_i)
+        c = static_cast<float>(random.uniform(0, 1));
+    const float n_i = 1, n_t = 0.2F, k_t = 3;
+    const std::vector metal{batch_argument::same(n_i), batch_argument::same(n_t), batch_argument::same(k_t)};
+    const auto evaluate = [&](std::size_t from, std::size_t n, float* to, std::string_view set) {
+        evaluate_batch("conductor", metal, batch_argument::array(cos_i.data() + from), n, to,
+                       one_thread(set));
+    };
+    for (const std::string_view set : instruction_sets()) {
+        evaluate(0, count / 2, expected.data(), set);
+        evaluate(count / 2, count - count / 2, expected.data() + count / 2, set);
+        for (const std::size_t place : {0u, 1u}) { // at a multiple of 64 bytes, and not
+            const std::size_t misplaced = reinterpret_cast<std::uintptr_t>(R.data()) % 64 / sizeof(float);
+            float* const to = R.data() + (16 - misplaced) % 16 + place;
+            evaluate(0, count, to, set);
+            EXPECT_TRUE(std::equal(expected.begin(), expected.end(), to)) << set << ' ' << place;
+        }
+    }
+}
+
 TEST(batch, rgb_is_three_models_at_one_angle) {
     for_each_vector_path([](const auto& row, const points& all, std::string_view set) {
         constexpr std::size_t n = 1003;

@@ -98,27 +98,29 @@ boundary<T> dielectric(T n_i, T n_t, T cos_i) {
 /// n_i, n_t, cos_i, returns   as `dielectric`
 /// error   float32: relative 4e-6 in R for eta > 1.05, growing like 2e-7 / |eta - 1|: no digit left at
 ///         1 +- 1e-6. Equal media at cos_i = 0 transmit nothing
-/// source  Cook and Torrance 1982, "A Reflectance Model for Computer Graphics"; lengths as in `dielectric`
+/// source  Cook and Torrance 1982, "A Reflectance Model for Computer Graphics"; lengths as in `dielectric`.
+///         Beyond the critical angle the results alone are selected, so that nothing before them has to be
 template <class T>
 boundary<T> dielectric_fast(T n_i, T n_t, T cos_i) {
     const T c = let("c", n_i * cos_i);
     const T sin2 = let("sin2", 1 - cos_i * cos_i);
     const T s2 = let("s2", n_i * sin2);
-    const T g2 = let("g2", n_t * n_t - n_i * s2);
-
-    // total internal reflection: g = 0 makes r_s and r_p / r_s both 1
-    const T g = let("g", select(g2 <= 0, T(0), sqrt(select(g2 <= 0, T(1), g2))));
+    const T g2 = let("g2", n_t * n_t - n_i * s2, "below 0 under total internal reflection");
+    const T g = let("g", sqrt(abs(g2)));
     const T x = let("x", cos_i * g);
-    const T a = let("a", select(g2 <= 0, T(1), g + c));
-    const T b = let("b", select(g2 <= 0, T(1), x + s2));
+    const T a = let("a", g + c);
+    const T b = let("b", x + s2);
 
-    const T r_s = let("r_s", select(g2 <= 0, T(1), (g - c) / a));
-    const T q = let("q", select(g2 <= 0, T(1), (x - s2) / b));
-    const T R_s = r_s * r_s;
-    const T R_p = R_s * (q * q);
-    const T w = let("w", select(g2 <= 0, T(0), 4 * (c * g)));
-    const T T_s = w / (a * a);
-    return {R_s, R_p, min(T_s, T(1)), min(T_s + R_s * (w * sin2 / (b * b)), T(1))};
+    const T r_s = let("r_s", (g - c) / a);
+    const T q = let("q", (x - s2) / b);
+    const T r2 = let("r2", r_s * r_s);
+    const T R_s = let("R_s", select(g2 <= 0, T(1), r2));
+    const T R_p = let("R_p", select(g2 <= 0, T(1), r2 * (q * q)));
+
+    const T w = let("w", 4 * (c * g));
+    const T T_s = let("T_s", select(g2 <= 0, T(0), w / (a * a)));
+    const T T_p = let("T_p", select(g2 <= 0, T(0), T_s + r2 * (w * sin2 / (b * b))));
+    return {R_s, R_p, min(T_s, T(1)), min(T_p, T(1))};
 }
 
 /// The part of the transmitted wave's vector along the normal, m cos_t = a + i b with m the relative complex
@@ -233,19 +235,20 @@ boundary<T> conductor_fast(T n_i, T n_t, T k_t, T cos_i) {
     const T nk2 = let("nk2", 2 * (n_t * k_t));
     const T A = let("A", sqrt(t0 * t0 + nk2 * nk2), "a^2 + b^2");
     const T a2 = let("a2", 2 * (A + t0), "(2 a)^2");
-    const T a = let("a", select(a2 <= 0, T(0), sqrt(select(a2 <= 0, T(1), a2))));
+    const T a = let("a", sqrt(max(a2, negligible<T>())));
 
     const T t1 = let("t1", A + c2);
     const T t2 = let("t2", a * c);
-    const T t3 = let("t3", max(cos2 * A + s2 * s2, negligible<T>()), "0 only where n_t << n_i, at cos_i = 1");
+    const T t3 = let("t3", cos2 * A + (s2 * s2 + negligible<T>()), "above 0 where n_t << n_i, at cos_i = 1");
     const T t4 = let("t4", t2 * sin2);
     const T D_s = let("D_s", max(t1 + t2, negligible<T>()), "0 only for equal media at cos_i = 0");
     const T D_p = let("D_p", t3 + t4);
 
-    const T R_s = let("R_s", saturate((t1 - t2) / D_s));
-    const T R_p = let("R_p", R_s * saturate((t3 - t4) / D_p));
-    const T T_s = let("T_s", 2 * t2 / D_s);
-    const T T_p = let("T_p", T_s + R_s * (2 * t4 / D_p));
+    const T R_s = let("R_s", abs((t1 - t2) / D_s), "rounding may bring it below 0");
+    const T R_p = let("R_p", R_s * abs((t3 - t4) / D_p));
+    const T w = let("w", select(a2 <= 0, T(0), 2 * t2), "0 beyond the critical angle");
+    const T T_s = let("T_s", w / D_s);
+    const T T_p = let("T_p", T_s + R_s * (w * sin2 / D_p));
     return {R_s, R_p, min(T_s, T(1)), min(T_p, T(1))};
 }
 

@@ -351,15 +351,16 @@ static inline float dielectric_fast(float n_i, float n_t, float cos_i) {
     const float c = n_i * cos_i;
     const float sin2 = 1.0f - cos_i * cos_i;
     const float s2 = n_i * sin2;
-    const float g2 = n_t * n_t - n_i * s2;
-    const float g = sqrtf(g2);
+    const float g2 = n_t * n_t - n_i * s2; // below 0 under total internal reflection
+    const float g = sqrtf(fabsf(g2));
     const float x = cos_i * g;
     const float a = g + c;
     const float b = x + s2;
     const float r_s = (g - c) / a;
     const float q = (x - s2) / b;
-    const float r_s2 = r_s * r_s;
-    return g2 <= 0.0f ? 1.0f : (r_s2 + r_s2 * (q * q)) / 2.0f;
+    const float r2 = r_s * r_s;
+    const float R_p = r2 * (q * q);
+    return g2 <= 0.0f ? 1.0f : (r2 + R_p) / 2.0f;
 }
 
 static inline float dielectric_fast_dir(float n_i, float n_t, fresnel_float3 normal,
@@ -384,20 +385,21 @@ static inline fresnel_boundary dielectric_fast_boundary(float n_i, float n_t, fl
     const float c = n_i * cos_i;
     const float sin2 = 1.0f - cos_i * cos_i;
     const float s2 = n_i * sin2;
-    const float g2 = n_t * n_t - n_i * s2;
-    const float g = sqrtf(g2);
+    const float g2 = n_t * n_t - n_i * s2; // below 0 under total internal reflection
+    const float g = sqrtf(fabsf(g2));
     const float x = cos_i * g;
     const float a = g + c;
-    const float a_2 = g2 <= 0.0f ? 1.0f : a;
     const float b = x + s2;
-    const float b_2 = g2 <= 0.0f ? 1.0f : b;
-    const float r_s = g2 <= 0.0f ? 1.0f : (g - c) / a;
-    const float q = g2 <= 0.0f ? 1.0f : (x - s2) / b;
-    const float w = g2 <= 0.0f ? 0.0f : 4.0f * (c * g);
-    const float r_s2 = r_s * r_s;
-    const float t = w / (a_2 * a_2);
-    fresnel_boundary result =
-            {r_s2, r_s2 * (q * q), fminf(t, 1.0f), fminf(t + r_s2 * (w * sin2 / (b_2 * b_2)), 1.0f)};
+    const float r_s = (g - c) / a;
+    const float q = (x - s2) / b;
+    const float r2 = r_s * r_s;
+    const float R_s = g2 <= 0.0f ? 1.0f : r2;
+    const float R_p = g2 <= 0.0f ? 1.0f : r2 * (q * q);
+    const float w = 4.0f * (c * g);
+    const float T_s = w / (a * a);
+    const float T_s_2 = g2 <= 0.0f ? 0.0f : T_s;
+    const float T_p = g2 <= 0.0f ? 0.0f : T_s + r2 * (w * sin2 / (b * b));
+    fresnel_boundary result = {R_s, R_p, fminf(T_s_2, 1.0f), fminf(T_p, 1.0f)};
     return result;
 }
 
@@ -410,7 +412,7 @@ static inline fresnel_boundary dielectric_fast_boundary(float n_i, float n_t, fl
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 3e-6 for metals, 1e-4 for dielectrics, no digit left near an index match
-// cost    54 operations
+// cost    50 operations
 // source  Lagarde 2013, Memo on Fresnel equations, after Shirley
 static inline float conductor_fast(float n_i, float n_t, float k_t, float cos_i) {
     const float c = n_i * cos_i;
@@ -422,15 +424,15 @@ static inline float conductor_fast(float n_i, float n_t, float k_t, float cos_i)
     const float nk2 = 2.0f * (n_t * k_t);
     const float A = sqrtf(t0 * t0 + nk2 * nk2); // a^2 + b^2
     const float a2 = 2.0f * (A + t0); // (2 a)^2
-    const float a = sqrtf(fmaxf(a2, 0.0f));
+    const float a = sqrtf(fmaxf(a2, 1.1754944e-38f));
     const float t1 = A + c2;
     const float t2 = a * c;
-    const float t3 = fmaxf(cos2 * A + s2 * s2, 1.1754944e-38f); // 0 only where n_t << n_i, at cos_i = 1
+    const float t3 = cos2 * A + (s2 * s2 + 1.1754944e-38f); // above 0 where n_t << n_i, at cos_i = 1
     const float t4 = t2 * sin2;
     const float D_s = fmaxf(t1 + t2, 1.1754944e-38f); // 0 only for equal media at cos_i = 0
     const float D_p = t3 + t4;
-    const float R_s = fminf(fmaxf((t1 - t2) / D_s, 0.0f), 1.0f);
-    const float R_p = R_s * fminf(fmaxf((t3 - t4) / D_p, 0.0f), 1.0f);
+    const float R_s = fabsf((t1 - t2) / D_s); // rounding may bring it below 0
+    const float R_p = R_s * fabsf((t3 - t4) / D_p);
     return (R_s + R_p) / 2.0f;
 }
 
@@ -463,17 +465,18 @@ static inline fresnel_boundary conductor_fast_boundary(float n_i, float n_t, flo
     const float nk2 = 2.0f * (n_t * k_t);
     const float A = sqrtf(t0 * t0 + nk2 * nk2); // a^2 + b^2
     const float a2 = 2.0f * (A + t0); // (2 a)^2
-    const float a = sqrtf(fmaxf(a2, 0.0f));
+    const float a = sqrtf(fmaxf(a2, 1.1754944e-38f));
     const float t1 = A + c2;
     const float t2 = a * c;
-    const float t3 = fmaxf(cos2 * A + s2 * s2, 1.1754944e-38f); // 0 only where n_t << n_i, at cos_i = 1
+    const float t3 = cos2 * A + (s2 * s2 + 1.1754944e-38f); // above 0 where n_t << n_i, at cos_i = 1
     const float t4 = t2 * sin2;
     const float D_s = fmaxf(t1 + t2, 1.1754944e-38f); // 0 only for equal media at cos_i = 0
     const float D_p = t3 + t4;
-    const float R_s = fminf(fmaxf((t1 - t2) / D_s, 0.0f), 1.0f);
-    const float R_p = R_s * fminf(fmaxf((t3 - t4) / D_p, 0.0f), 1.0f);
-    const float T_s = 2.0f * t2 / D_s;
-    const float T_p = T_s + R_s * (2.0f * t4 / D_p);
+    const float R_s = fabsf((t1 - t2) / D_s); // rounding may bring it below 0
+    const float R_p = R_s * fabsf((t3 - t4) / D_p);
+    const float w = a2 <= 0.0f ? 0.0f : 2.0f * t2; // 0 beyond the critical angle
+    const float T_s = w / D_s;
+    const float T_p = T_s + R_s * (w * sin2 / D_p);
     fresnel_boundary result = {R_s, R_p, fminf(T_s, 1.0f), fminf(T_p, 1.0f)};
     return result;
 }

@@ -581,15 +581,16 @@ fn dielectric_fast(n_i: f32, n_t: f32, cos_i: f32) -> f32 {
     let c = n_i * cos_i;
     let sin2 = 1.0 - cos_i * cos_i;
     let s2 = n_i * sin2;
-    let g2 = n_t * n_t - n_i * s2;
-    let g = sqrt(g2);
+    let g2 = n_t * n_t - n_i * s2; // below 0 under total internal reflection
+    let g = sqrt(abs(g2));
     let x = cos_i * g;
     let a = g + c;
     let b = x + s2;
     let r_s = (g - c) / a;
     let q = (x - s2) / b;
-    let r_s2 = r_s * r_s;
-    return select((r_s2 + r_s2 * (q * q)) / 2.0, 1.0, g2 <= 0.0);
+    let r2 = r_s * r_s;
+    let R_p = r2 * (q * q);
+    return select((r2 + R_p) / 2.0, 1.0, g2 <= 0.0);
 }
 `, /* glsl */ `
 // Exact reflectance between two transparent media in the fewest operations.
@@ -606,15 +607,16 @@ float dielectric_fast(float n_i, float n_t, float cos_i) {
     float c = n_i * cos_i;
     float sin2 = 1.0 - cos_i * cos_i;
     float s2 = n_i * sin2;
-    float g2 = n_t * n_t - n_i * s2;
-    float g = sqrt(g2);
+    float g2 = n_t * n_t - n_i * s2; // below 0 under total internal reflection
+    float g = sqrt(abs(g2));
     float x = cos_i * g;
     float a = g + c;
     float b = x + s2;
     float r_s = (g - c) / a;
     float q = (x - s2) / b;
-    float r_s2 = r_s * r_s;
-    return g2 <= 0.0 ? 1.0 : (r_s2 + r_s2 * (q * q)) / 2.0;
+    float r2 = r_s * r_s;
+    float R_p = r2 * (q * q);
+    return g2 <= 0.0 ? 1.0 : (r2 + R_p) / 2.0;
 }
 `, []);
 
@@ -662,7 +664,7 @@ export const conductorFast = /*@__PURE__*/ native(/* wgsl */ `
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 3e-6 for metals, 1e-4 for dielectrics, no digit left near an index match
-// cost    54 operations
+// cost    50 operations
 // source  Lagarde 2013, Memo on Fresnel equations, after Shirley
 fn conductor_fast(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let c = n_i * cos_i;
@@ -674,15 +676,15 @@ fn conductor_fast(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let nk2 = 2.0 * (n_t * k_t);
     let A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
     let a2 = 2.0 * (A + t0); // (2 a)^2
-    let a = sqrt(max(a2, 0.0));
+    let a = sqrt(max(a2, 1.1754944e-38));
     let t1 = A + c2;
     let t2 = a * c;
-    let t3 = max(cos2 * A + s2 * s2, 1.1754944e-38); // 0 only where n_t << n_i, at cos_i = 1
+    let t3 = cos2 * A + (s2 * s2 + 1.1754944e-38); // above 0 where n_t << n_i, at cos_i = 1
     let t4 = t2 * sin2;
     let D_s = max(t1 + t2, 1.1754944e-38); // 0 only for equal media at cos_i = 0
     let D_p = t3 + t4;
-    let R_s = saturate((t1 - t2) / D_s);
-    let R_p = R_s * saturate((t3 - t4) / D_p);
+    let R_s = abs((t1 - t2) / D_s); // rounding may bring it below 0
+    let R_p = R_s * abs((t3 - t4) / D_p);
     return (R_s + R_p) / 2.0;
 }
 `, /* glsl */ `
@@ -695,7 +697,7 @@ fn conductor_fast(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 3e-6 for metals, 1e-4 for dielectrics, no digit left near an index match
-// cost    54 operations
+// cost    50 operations
 // source  Lagarde 2013, Memo on Fresnel equations, after Shirley
 float conductor_fast(float n_i, float n_t, float k_t, float cos_i) {
     float c = n_i * cos_i;
@@ -707,15 +709,15 @@ float conductor_fast(float n_i, float n_t, float k_t, float cos_i) {
     float nk2 = 2.0 * (n_t * k_t);
     float A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
     float a2 = 2.0 * (A + t0); // (2 a)^2
-    float a = sqrt(max(a2, 0.0));
+    float a = sqrt(max(a2, 1.1754944e-38));
     float t1 = A + c2;
     float t2 = a * c;
-    float t3 = max(cos2 * A + s2 * s2, 1.1754944e-38); // 0 only where n_t << n_i, at cos_i = 1
+    float t3 = cos2 * A + (s2 * s2 + 1.1754944e-38); // above 0 where n_t << n_i, at cos_i = 1
     float t4 = t2 * sin2;
     float D_s = max(t1 + t2, 1.1754944e-38); // 0 only for equal media at cos_i = 0
     float D_p = t3 + t4;
-    float R_s = clamp((t1 - t2) / D_s, 0.0, 1.0);
-    float R_p = R_s * clamp((t3 - t4) / D_p, 0.0, 1.0);
+    float R_s = abs((t1 - t2) / D_s); // rounding may bring it below 0
+    float R_p = R_s * abs((t3 - t4) / D_p);
     return (R_s + R_p) / 2.0;
 }
 `, []);
@@ -742,15 +744,15 @@ fn conductor_fast_rgb(n_i: f32, n_t: vec3f, k_t: vec3f, cos_i: f32) -> vec3f {
     let nk2 = 2.0 * (n_t * k_t);
     let A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
     let a2 = 2.0 * (A + t0); // (2 a)^2
-    let a = sqrt(max(a2, vec3f(0.0)));
+    let a = sqrt(max(a2, vec3f(1.1754944e-38)));
     let t1 = A + c2;
     let t2 = a * c;
-    let t3 = max(cos2 * A + s2 * s2, vec3f(1.1754944e-38)); // 0 only where n_t << n_i, at cos_i = 1
+    let t3 = cos2 * A + (s2 * s2 + 1.1754944e-38); // above 0 where n_t << n_i, at cos_i = 1
     let t4 = t2 * sin2;
     let D_s = max(t1 + t2, vec3f(1.1754944e-38)); // 0 only for equal media at cos_i = 0
     let D_p = t3 + t4;
-    let R_s = saturate((t1 - t2) / D_s);
-    let R_p = R_s * saturate((t3 - t4) / D_p);
+    let R_s = abs((t1 - t2) / D_s); // rounding may bring it below 0
+    let R_p = R_s * abs((t3 - t4) / D_p);
     return (R_s + R_p) / 2.0;
 }
 `, /* glsl */ `
@@ -765,15 +767,15 @@ vec3 conductor_fast_rgb(float n_i, vec3 n_t, vec3 k_t, float cos_i) {
     vec3 nk2 = 2.0 * (n_t * k_t);
     vec3 A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
     vec3 a2 = 2.0 * (A + t0); // (2 a)^2
-    vec3 a = sqrt(max(a2, vec3(0.0)));
+    vec3 a = sqrt(max(a2, vec3(1.1754944e-38)));
     vec3 t1 = A + c2;
     vec3 t2 = a * c;
-    vec3 t3 = max(cos2 * A + s2 * s2, vec3(1.1754944e-38)); // 0 only where n_t << n_i, at cos_i = 1
+    vec3 t3 = cos2 * A + (s2 * s2 + 1.1754944e-38); // above 0 where n_t << n_i, at cos_i = 1
     vec3 t4 = t2 * sin2;
     vec3 D_s = max(t1 + t2, vec3(1.1754944e-38)); // 0 only for equal media at cos_i = 0
     vec3 D_p = t3 + t4;
-    vec3 R_s = clamp((t1 - t2) / D_s, 0.0, 1.0);
-    vec3 R_p = R_s * clamp((t3 - t4) / D_p, 0.0, 1.0);
+    vec3 R_s = abs((t1 - t2) / D_s); // rounding may bring it below 0
+    vec3 R_p = R_s * abs((t3 - t4) / D_p);
     return (R_s + R_p) / 2.0;
 }
 `, []);

@@ -1,6 +1,7 @@
 #include "batch/core.hpp"
 
 #include <atomic>
+#include <cstdint>
 #include <cstdlib>
 #include <utility>
 
@@ -152,6 +153,9 @@ refusal make_job(quantity wanted, const batch_model& model, const instruction_se
 
 namespace {
 
+/// From so many on (16 MiB), results would drive everything else out of the caches, and themselves.
+constexpr std::size_t values_past_caches = std::size_t{1} << 22;
+
 /// One batch's worth of floats, for values that have to be repeated or cut off.
 struct lane_buffer {
     float lane[most_lanes];
@@ -172,7 +176,12 @@ public:
     }
 
     /// Whole batches straight from and to the arrays.
-    void run_whole(std::size_t count) const { job_.run({inputs_, steps_, outputs_, count}); }
+    void run_whole(std::size_t count) const {
+        const auto aligned = [](const float* p) { return reinterpret_cast<std::uintptr_t>(p) % 64 == 0; };
+        const bool past_caches =
+            count >= values_past_caches && std::all_of(outputs_, outputs_ + job_.output_count, aligned);
+        job_.run({inputs_, steps_, outputs_, count, past_caches});
+    }
 
     /// The `rest` values after the first `done`, fewer than a batch, through buffers.
     void run_rest(std::size_t done, std::size_t rest) const {
@@ -187,7 +196,7 @@ public:
         }
         for (std::size_t k = 0; k < job_.output_count; ++k)
             out_at[k] = out[k].lane;
-        job_.run({in_at, steps_, out_at, job_.lanes});
+        job_.run({in_at, steps_, out_at, job_.lanes, false});
         for (std::size_t k = 0; k < job_.output_count; ++k)
             std::copy_n(out[k].lane, rest, outputs_[k] + done);
     }

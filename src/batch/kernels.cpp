@@ -1,6 +1,7 @@
 // Every model of the registry on arrays, for one instruction set. Compiled once for each, with FRESNEL_ISA_NAMESPACE,
-// FRESNEL_ISA_LANES, FRESNEL_ISA_BATCHES (how many batches are computed side by side, FRESNEL_ISA_ANGLES in a spectral
-// table) and FRESNEL_ISA_KERNELS (the name of its table) set. No function of the standard library may be called here: see simd.hpp.
+// FRESNEL_ISA_LANES, FRESNEL_ISA_BATCHES (how many batches are computed side by side; FRESNEL_ISA_EXACT_BATCHES of the
+// exact models, FRESNEL_ISA_ANGLES in a spectral table) and FRESNEL_ISA_KERNELS (the name of its table) set. No function of
+// the standard library may be called here: see simd.hpp.
 
 #include "batch/kernels.hpp"
 
@@ -12,7 +13,11 @@ inline namespace FRESNEL_ISA_NAMESPACE {
 namespace {
 
 using single = batch<float, FRESNEL_ISA_LANES>;
-using several = wide<single, FRESNEL_ISA_BATCHES>;
+
+/// The models of few operations keep within the registers; of the exact ones more batches side by side are faster.
+template <bool exact>
+using several = wide<single, exact ? FRESNEL_ISA_EXACT_BATCHES : FRESNEL_ISA_BATCHES>;
+static_assert(FRESNEL_ISA_EXACT_BATCHES % FRESNEL_ISA_BATCHES == 0);
 
 /// Runs f(inputs, outputs) over the arrays of a call, a value at a time.
 template <class value, int inputs, int outputs, class F>
@@ -33,13 +38,18 @@ FRESNEL_INLINE void run(const kernel_call& call, F f) {
         }
         f(x, y);
         for (int k = 0; k < outputs; ++k)
-            y[k].store(out[k] + i);
+            if (call.past_caches)
+                y[k].store_past_caches(out[k] + i);
+            else
+                y[k].store(out[k] + i);
     }
+    if (call.past_caches) lanes::fence();
 }
 
 /// The model in row i of the registry on `value`, a number type of several lanes.
 template <std::size_t i, class value>
 struct row_at {
+    using number = value;
     static constexpr const auto& row = std::get<i>(registry);
     static constexpr int parameters = static_cast<int>(row.parameters.size());
     static constexpr bool polarised = row.kind == model_kind::exact;
@@ -49,23 +59,31 @@ struct row_at {
             return row.evaluate(x[k]..., cos_i);
         }(std::make_index_sequence<static_cast<std::size_t>(parameters)>{});
     }
-
-    FRESNEL_INLINE static value reflectance(const value* x, const value& cos_i) {
-        if constexpr (polarised)
-            return result(x, cos_i).reflectance();
-        else
-            return result(x, cos_i);
-    }
 };
 
 template <std::size_t i>
-using wide_row = row_at<i, several>;
+using wide_row = row_at<i, several<std::get<i>(registry).kind == model_kind::exact>>;
+
+/// Runs f(result, outputs) with what the model in row i gives. Where the medium outside is vacuum, n_i = 1 for all of
+/// a call, multiplications by it are left out, which changes no bit.
+template <std::size_t i, int outputs, class F>
+FRESNEL_INLINE void run_row(const kernel_call& call, F f) {
+    using row = wide_row<i>;
+    using value = typename row::number;
+    constexpr int n = row::parameters;
+    const auto evaluate = [&](const value* x, value* y) { f(row::result(x, x[n]), y); };
+    if constexpr (row::polarised)
+        if (call.steps[0] == 0 && call.inputs[0][0] == 1)
+            return run<value, n + 1, outputs>(call, [&](value* x, value* y) {
+                x[0] = 1;
+                evaluate(x, y);
+            });
+    run<value, n + 1, outputs>(call, evaluate);
+}
 
 template <std::size_t i>
 [[gnu::flatten]] void reflectance(const kernel_call& call) {
-    constexpr int n = wide_row<i>::parameters;
-    run<several, n + 1, 1>(call,
-                           [](const several* x, several* y) { y[0] = wide_row<i>::reflectance(x, x[n]); });
+    run_row<i, 1>(call, [](const auto& result, auto* y) { y[0] = reflectance(result); });
 }
 
 /// The channels are independent of each other already: one batch of each.
@@ -75,26 +93,20 @@ template <std::size_t i>
     constexpr int n = row::parameters;
     run<single, 3 * n + 1, 3>(call, [](const single* x, single* y) {
         for (int channel = 0; channel < 3; ++channel)
-            y[channel] = row::reflectance(x + channel * n, x[3 * n]);
+            y[channel] = reflectance(row::result(x + channel * n, x[3 * n]));
     });
 }
 
 template <std::size_t i>
 [[gnu::flatten]] void polarised(const kernel_call& call) {
-    constexpr int n = wide_row<i>::parameters;
-    run<several, n + 1, 2>(call, [](const several* x, several* y) {
-        const auto at_boundary = wide_row<i>::result(x, x[n]);
-        y[0] = at_boundary.R_s, y[1] = at_boundary.R_p;
-    });
+    run_row<i, 2>(call, [](const auto& result, auto* y) { y[0] = result.R_s, y[1] = result.R_p; });
 }
 
 template <std::size_t i>
 [[gnu::flatten]] void powers(const kernel_call& call) {
-    constexpr int n = wide_row<i>::parameters;
-    run<several, n + 1, 4>(call, [](const several* x, several* y) {
-        const auto at_boundary = wide_row<i>::result(x, x[n]);
-        y[0] = at_boundary.R_s, y[1] = at_boundary.R_p;
-        y[2] = at_boundary.T_s, y[3] = at_boundary.T_p;
+    run_row<i, 4>(call, [](const auto& result, auto* y) {
+        y[0] = result.R_s, y[1] = result.R_p;
+        y[2] = result.T_s, y[3] = result.T_p;
     });
 }
 
@@ -145,6 +157,8 @@ FRESNEL_INLINE void spectral_block(const spectral_call& call, std::size_t begin)
 } // namespace
 } // namespace FRESNEL_ISA_NAMESPACE
 
-kernel_table FRESNEL_ISA_KERNELS() { return {several::size, every_model::rows, single::size, &spectral}; }
+kernel_table FRESNEL_ISA_KERNELS() {
+    return {several<true>::size, every_model::rows, single::size, &spectral};
+}
 
 } // namespace fresnel

@@ -197,6 +197,26 @@ FRESNEL_INLINE Floats larger(Floats a, Floats b) {
     return blend(b < a, a, b);
 }
 
+template <class Floats>
+FRESNEL_INLINE void store_past_caches(const Floats& a, float* to) {
+#ifdef FRESNEL_INTRINSICS
+#ifdef __AVX512F__
+    if constexpr (sizeof(Floats) == 64) return _mm512_stream_ps(to, __m512(a));
+#endif
+#ifdef __AVX__
+    if constexpr (sizeof(Floats) == 32) return _mm256_stream_ps(to, __m256(a));
+#endif
+    if constexpr (sizeof(Floats) == 16) return _mm_stream_ps(to, __m128(a));
+#endif
+    __builtin_memcpy(to, &a, sizeof a);
+}
+
+FRESNEL_INLINE void fence() {
+#ifdef FRESNEL_INTRINSICS
+    _mm_sfence();
+#endif
+}
+
 } // namespace lanes
 
 // ---- the number type --------------------------------------------------------------------------------------
@@ -236,6 +256,9 @@ public:
         return batch(result);
     }
     FRESNEL_INLINE void store(float* to) const { __builtin_memcpy(to, &lanes_, sizeof lanes_); }
+    /// The same for results that no cache could keep, which spares reading what they replace. `to` is a multiple of
+    /// their size; lanes::fence() makes them visible to other threads.
+    FRESNEL_INLINE void store_past_caches(float* to) const { lanes::store_past_caches(lanes_, to); }
     FRESNEL_INLINE float operator[](int i) const { return lanes_[i]; }
 
     friend FRESNEL_INLINE batch operator-(batch x) { return batch(-x.lanes_); }

@@ -67,6 +67,10 @@ public:
         for (int i = 0; i < K; ++i)
             part_[i].store(to + i * V::size);
     }
+    FRESNEL_INLINE void store_past_caches(float* to) const {
+        for (int i = 0; i < K; ++i)
+            part_[i].store_past_caches(to + i * V::size);
+    }
     FRESNEL_INLINE float operator[](int i) const { return part_[i / V::size][i % V::size]; }
 
     friend FRESNEL_INLINE wide operator-(wide x) {

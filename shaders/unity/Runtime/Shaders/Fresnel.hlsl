@@ -348,15 +348,16 @@ float dielectric_fast(float n_i, float n_t, float cos_i) {
     float c = n_i * cos_i;
     float sin2 = 1.0 - cos_i * cos_i;
     float s2 = n_i * sin2;
-    float g2 = n_t * n_t - n_i * s2;
-    float g = sqrt(g2);
+    float g2 = n_t * n_t - n_i * s2; // below 0 under total internal reflection
+    float g = sqrt(abs(g2));
     float x = cos_i * g;
     float a = g + c;
     float b = x + s2;
     float r_s = (g - c) / a;
     float q = (x - s2) / b;
-    float r_s2 = r_s * r_s;
-    return g2 <= 0.0 ? 1.0 : (r_s2 + r_s2 * (q * q)) / 2.0;
+    float r2 = r_s * r_s;
+    float R_p = r2 * (q * q);
+    return g2 <= 0.0 ? 1.0 : (r2 + R_p) / 2.0;
 }
 
 float dielectric_fast(float n_i, float n_t, float3 normal, float3 direction) {
@@ -378,20 +379,21 @@ fresnel_boundary dielectric_fast_boundary(float n_i, float n_t, float cos_i) {
     float c = n_i * cos_i;
     float sin2 = 1.0 - cos_i * cos_i;
     float s2 = n_i * sin2;
-    float g2 = n_t * n_t - n_i * s2;
-    float g = sqrt(g2);
+    float g2 = n_t * n_t - n_i * s2; // below 0 under total internal reflection
+    float g = sqrt(abs(g2));
     float x = cos_i * g;
     float a = g + c;
-    float a_2 = g2 <= 0.0 ? 1.0 : a;
     float b = x + s2;
-    float b_2 = g2 <= 0.0 ? 1.0 : b;
-    float r_s = g2 <= 0.0 ? 1.0 : (g - c) / a;
-    float q = g2 <= 0.0 ? 1.0 : (x - s2) / b;
-    float w = g2 <= 0.0 ? 0.0 : 4.0 * (c * g);
-    float r_s2 = r_s * r_s;
-    float t = w / (a_2 * a_2);
-    fresnel_boundary result =
-            {r_s2, r_s2 * (q * q), min(t, 1.0), min(t + r_s2 * (w * sin2 / (b_2 * b_2)), 1.0)};
+    float r_s = (g - c) / a;
+    float q = (x - s2) / b;
+    float r2 = r_s * r_s;
+    float R_s = g2 <= 0.0 ? 1.0 : r2;
+    float R_p = g2 <= 0.0 ? 1.0 : r2 * (q * q);
+    float w = 4.0 * (c * g);
+    float T_s = w / (a * a);
+    float T_s_2 = g2 <= 0.0 ? 0.0 : T_s;
+    float T_p = g2 <= 0.0 ? 0.0 : T_s + r2 * (w * sin2 / (b * b));
+    fresnel_boundary result = {R_s, R_p, min(T_s_2, 1.0), min(T_p, 1.0)};
     return result;
 }
 
@@ -404,7 +406,7 @@ fresnel_boundary dielectric_fast_boundary(float n_i, float n_t, float cos_i) {
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
 // error   rounding only, in float relative 3e-6 for metals, 1e-4 for dielectrics, no digit left near an index match
-// cost    54 operations
+// cost    50 operations
 // source  Lagarde 2013, Memo on Fresnel equations, after Shirley
 float conductor_fast(float n_i, float n_t, float k_t, float cos_i) {
     float c = n_i * cos_i;
@@ -416,15 +418,15 @@ float conductor_fast(float n_i, float n_t, float k_t, float cos_i) {
     float nk2 = 2.0 * (n_t * k_t);
     float A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
     float a2 = 2.0 * (A + t0); // (2 a)^2
-    float a = sqrt(max(a2, 0.0));
+    float a = sqrt(max(a2, 1.1754944e-38));
     float t1 = A + c2;
     float t2 = a * c;
-    float t3 = max(cos2 * A + s2 * s2, 1.1754944e-38); // 0 only where n_t << n_i, at cos_i = 1
+    float t3 = cos2 * A + (s2 * s2 + 1.1754944e-38); // above 0 where n_t << n_i, at cos_i = 1
     float t4 = t2 * sin2;
     float D_s = max(t1 + t2, 1.1754944e-38); // 0 only for equal media at cos_i = 0
     float D_p = t3 + t4;
-    float R_s = saturate((t1 - t2) / D_s);
-    float R_p = R_s * saturate((t3 - t4) / D_p);
+    float R_s = abs((t1 - t2) / D_s); // rounding may bring it below 0
+    float R_p = R_s * abs((t3 - t4) / D_p);
     return (R_s + R_p) / 2.0;
 }
 
@@ -443,15 +445,15 @@ float3 conductor_fast(float n_i, float3 n_t, float3 k_t, float cos_i) {
     float3 nk2 = 2.0 * (n_t * k_t);
     float3 A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
     float3 a2 = 2.0 * (A + t0); // (2 a)^2
-    float3 a = sqrt(max(a2, (float3)0.0));
+    float3 a = sqrt(max(a2, (float3)1.1754944e-38));
     float3 t1 = A + c2;
     float3 t2 = a * c;
-    float3 t3 = max(cos2 * A + s2 * s2, (float3)1.1754944e-38); // 0 only where n_t << n_i, at cos_i = 1
+    float3 t3 = cos2 * A + (s2 * s2 + 1.1754944e-38); // above 0 where n_t << n_i, at cos_i = 1
     float3 t4 = t2 * sin2;
     float3 D_s = max(t1 + t2, (float3)1.1754944e-38); // 0 only for equal media at cos_i = 0
     float3 D_p = t3 + t4;
-    float3 R_s = saturate((t1 - t2) / D_s);
-    float3 R_p = R_s * saturate((t3 - t4) / D_p);
+    float3 R_s = abs((t1 - t2) / D_s); // rounding may bring it below 0
+    float3 R_p = R_s * abs((t3 - t4) / D_p);
     return (R_s + R_p) / 2.0;
 }
 
@@ -470,17 +472,18 @@ fresnel_boundary conductor_fast_boundary(float n_i, float n_t, float k_t, float 
     float nk2 = 2.0 * (n_t * k_t);
     float A = sqrt(t0 * t0 + nk2 * nk2); // a^2 + b^2
     float a2 = 2.0 * (A + t0); // (2 a)^2
-    float a = sqrt(max(a2, 0.0));
+    float a = sqrt(max(a2, 1.1754944e-38));
     float t1 = A + c2;
     float t2 = a * c;
-    float t3 = max(cos2 * A + s2 * s2, 1.1754944e-38); // 0 only where n_t << n_i, at cos_i = 1
+    float t3 = cos2 * A + (s2 * s2 + 1.1754944e-38); // above 0 where n_t << n_i, at cos_i = 1
     float t4 = t2 * sin2;
     float D_s = max(t1 + t2, 1.1754944e-38); // 0 only for equal media at cos_i = 0
     float D_p = t3 + t4;
-    float R_s = saturate((t1 - t2) / D_s);
-    float R_p = R_s * saturate((t3 - t4) / D_p);
-    float T_s = 2.0 * t2 / D_s;
-    float T_p = T_s + R_s * (2.0 * t4 / D_p);
+    float R_s = abs((t1 - t2) / D_s); // rounding may bring it below 0
+    float R_p = R_s * abs((t3 - t4) / D_p);
+    float w = a2 <= 0.0 ? 0.0 : 2.0 * t2; // 0 beyond the critical angle
+    float T_s = w / D_s;
+    float T_p = T_s + R_s * (w * sin2 / D_p);
     fresnel_boundary result = {R_s, R_p, min(T_s, 1.0), min(T_p, 1.0)};
     return result;
 }

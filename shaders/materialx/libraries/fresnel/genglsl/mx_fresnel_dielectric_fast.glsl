@@ -15,15 +15,16 @@ float fresnel_dielectric_fast(float n_i, float n_t, float cos_i) {
     float c = n_i * cos_i;
     float sin2 = 1.0 - cos_i * cos_i;
     float s2 = n_i * sin2;
-    float g2 = n_t * n_t - n_i * s2;
-    float g = sqrt(g2);
+    float g2 = n_t * n_t - n_i * s2; // below 0 under total internal reflection
+    float g = sqrt(abs(g2));
     float x = cos_i * g;
     float a = g + c;
     float b = x + s2;
     float r_s = (g - c) / a;
     float q = (x - s2) / b;
-    float r_s2 = r_s * r_s;
-    return g2 <= 0.0 ? 1.0 : (r_s2 + r_s2 * (q * q)) / 2.0;
+    float r2 = r_s * r_s;
+    float R_p = r2 * (q * q);
+    return g2 <= 0.0 ? 1.0 : (r2 + R_p) / 2.0;
 }
 
 // The same for three channels, which share the angle.
