@@ -2,8 +2,8 @@
 // Made by `fresnel shader --all --lang msl`; do not edit.
 //
 // eta = n_t / n_i, the index behind the surface over the one in front; complex: n + i k.
-// cos_i is the cosine of incidence, in [0, 1]. In equations c = cos_i, s = sin_i, n + i k is the index,
-// and s and p are the polarisations across and along the plane of incidence.
+// cos_i is the cosine of incidence, in [0, 1]. In the equations c is cos_i, s is sin_i and
+// x is 1 - c; _s and _p are the polarisations across and along the plane of incidence.
 // Directions are unit vectors and point away from the surface; the one beside the normal is
 // yours: the view, the light or the half vector with either.
 // Reflectance is of unpolarised light and lies in [0, 1]. RGB values are linear.

@@ -125,7 +125,8 @@ void locals::place_all() {
     std::vector<std::uint32_t> first;
     for (std::uint32_t i = 0; i < f_.graph.size(); ++i)
         if (is_local(i) && named(i) != 0) first.push_back(i);
-    std::stable_sort(first.begin(), first.end(), [&](auto a, auto b) { return named(a) < named(b); });
+    std::sort(first.begin(), first.end(),
+              [&](auto a, auto b) { return std::pair(named(a), a) < std::pair(named(b), b); });
     for (const std::uint32_t node : first)
         place(node);
     for (const result& r : f_.results)
