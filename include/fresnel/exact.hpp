@@ -259,18 +259,22 @@ boundary<T> conductor_fast(T n_i, T n_t, T k_t, T cos_i) {
 ///         re-associate (no -ffast-math)
 template <class T>
 boundary<T> conductor_precise(T n_i, T n_t, T k_t, T cos_i) {
-    const T c = let("c", n_i * cos_i);
-    const twofold<T> n2 = let("n2", two_product(n_t, n_t), "what cancels, in twice the digits\n"),
-                     k2 = let("k2", two_product(k_t, k_t));
-    const twofold<T> i2 = let("i2", two_product(n_i, n_i)), c2 = let("c2", two_product(cos_i, cos_i));
+    const T s2 = let("s2", (1 - cos_i) * (1 + cos_i));
+    const twofold<T> n2 = let("n2", two_product(n_t, n_t), "what cancels, in twice the digits\n");
+    const twofold<T> k2 = let("k2", two_product(k_t, k_t)), i2 = let("i2", two_product(n_i, n_i));
+    const twofold<T> c2 = let("c2", two_product(cos_i, cos_i));
     const twofold<T> m2 = let("m2", n2 - k2, "Re m^2, m = n_t + i k_t");
     const twofold<T> E = let("E", m2 - i2);
     const twofold<T> p2 = let("p2", i2 * c2, "(n_i cos_i)^2");
     const twofold<T> q2 = let("q2", E + p2, "Re q^2, q^2 = m^2 - (n_i sin_i)^2");
+    const twofold<T> sum2 = let("sum2", n2 + i2);
+    const twofold<T> product = let("product", c2 * sum2);
+    const twofold<T> N = let("N", product - i2, "0 at Brewster's angle where k_t = 0");
 
-    const T t0 = q2.hi;
-    const T size = let("size", abs(t0), "q = a + i b, which is m cos_t; lengths in units of 1 / n_i\n");
+    const T c = let("c", n_i * cos_i, "q = a + i b, which is m cos_t; lengths in units of 1 / n_i\n");
     const T nk = let("nk", n_t * k_t, "Im q^2 / 2");
+    const T t0 = q2.hi;
+    const T size = let("size", abs(t0));
     const T A = let("A", max(sqrt(t0 * t0 + 4 * (nk * nk)), size), "|q|^2");
     const T larger = let("larger", sqrt((A + size) / 2), "of |Re q| and |Im q|");
     const T smaller = let("smaller", nk / select(larger > 0, larger, T(1)));
@@ -290,12 +294,8 @@ boundary<T> conductor_precise(T n_i, T n_t, T k_t, T cos_i) {
     const T T_s = let("T_s", select(N_s <= 0, T(1), 4 * (a * c) / D));
 
     // nu = a cos_i - n_i s^2 from nu (a cos_i + n_i s^2) = N + cos_i^2 (b^2 - k^2)
-    const twofold<T> sum2 = let(
-        "sum2", n2 + i2, "p-polarised; nu is a cos_i - n_i sin_i^2, exact near Brewster's angle as well\n");
-    const twofold<T> product = let("product", c2 * sum2);
-    const twofold<T> N = let("N", product - i2);
-    const T s2 = let("s2", (1 - cos_i) * (1 + cos_i));
-    const T is2 = let("is2", n_i * s2);
+    const T is2 = let("is2", n_i * s2,
+                      "p-polarised; nu is a cos_i - n_i sin_i^2, exact near Brewster's angle as well\n");
     const T ac = let("ac", a * cos_i);
     const T bc = let("bc", b * cos_i);
     const T bc2 = let("bc2", bc * bc);

@@ -596,7 +596,7 @@ fresnel_boundary conductor_fast_boundary(float n_i, float n_t, float k_t, float 
 // cost    304 operations
 // source  Born and Wolf 1999; Knuth 1969; Dekker 1971
 float conductor_precise(float n_i, float n_t, float k_t, float cos_i) {
-    float c = n_i * cos_i;
+    float s2 = (1.0 - cos_i) * (1.0 + cos_i);
 
     // what cancels, in twice the digits
     fresnel_float2 n2 = two_product(n_t, n_t);
@@ -607,10 +607,14 @@ float conductor_precise(float n_i, float n_t, float k_t, float cos_i) {
     fresnel_float2 E = twofold_difference(m2, i2);
     fresnel_float2 p2 = twofold_product(i2, c2); // (n_i cos_i)^2
     fresnel_float2 q2 = twofold_sum(E, p2); // Re q^2, q^2 = m^2 - (n_i sin_i)^2
+    fresnel_float2 sum2 = twofold_sum(n2, i2);
+    fresnel_float2 product = twofold_product(c2, sum2);
+    fresnel_float2 N_ = twofold_difference(product, i2); // 0 at Brewster's angle where k_t = 0
 
     // q = a + i b, which is m cos_t; lengths in units of 1 / n_i
-    float size = abs(q2.x);
+    float c = n_i * cos_i;
     float nk = n_t * k_t; // Im q^2 / 2
+    float size = abs(q2.x);
     float A = max(sqrt(q2.x * q2.x + 4.0 * (nk * nk)), size); // |q|^2
     float larger = sqrt((A + size) / 2.0); // of |Re q| and |Im q|
     float smaller = nk / (larger > 0.0 ? larger : 1.0);
@@ -628,10 +632,6 @@ float conductor_precise(float n_i, float n_t, float k_t, float cos_i) {
     float R_s = N_s / D;
 
     // p-polarised; nu is a cos_i - n_i sin_i^2, exact near Brewster's angle as well
-    fresnel_float2 sum2 = twofold_sum(n2, i2);
-    fresnel_float2 product = twofold_product(c2, sum2);
-    fresnel_float2 N_ = twofold_difference(product, i2);
-    float s2 = (1.0 - cos_i) * (1.0 + cos_i);
     float is2 = n_i * s2;
     float ac = a * cos_i;
     float bc = b * cos_i;
@@ -663,7 +663,7 @@ color conductor_precise(float n_i, color n_t, color k_t, vector normal_, vector 
 
 // Reflectances and transmittances of both polarisations.
 fresnel_boundary conductor_precise_boundary(float n_i, float n_t, float k_t, float cos_i) {
-    float c = n_i * cos_i;
+    float s2 = (1.0 - cos_i) * (1.0 + cos_i);
 
     // what cancels, in twice the digits
     fresnel_float2 n2 = two_product(n_t, n_t);
@@ -674,10 +674,14 @@ fresnel_boundary conductor_precise_boundary(float n_i, float n_t, float k_t, flo
     fresnel_float2 E = twofold_difference(m2, i2);
     fresnel_float2 p2 = twofold_product(i2, c2); // (n_i cos_i)^2
     fresnel_float2 q2 = twofold_sum(E, p2); // Re q^2, q^2 = m^2 - (n_i sin_i)^2
+    fresnel_float2 sum2 = twofold_sum(n2, i2);
+    fresnel_float2 product = twofold_product(c2, sum2);
+    fresnel_float2 N_ = twofold_difference(product, i2); // 0 at Brewster's angle where k_t = 0
 
     // q = a + i b, which is m cos_t; lengths in units of 1 / n_i
-    float size = abs(q2.x);
+    float c = n_i * cos_i;
     float nk = n_t * k_t; // Im q^2 / 2
+    float size = abs(q2.x);
     float A = max(sqrt(q2.x * q2.x + 4.0 * (nk * nk)), size); // |q|^2
     float larger = sqrt((A + size) / 2.0); // of |Re q| and |Im q|
     float smaller = nk / (larger > 0.0 ? larger : 1.0);
@@ -696,10 +700,6 @@ fresnel_boundary conductor_precise_boundary(float n_i, float n_t, float k_t, flo
     float T_s = N_s <= 0.0 ? 1.0 : 4.0 * (a * c) / D;
 
     // p-polarised; nu is a cos_i - n_i sin_i^2, exact near Brewster's angle as well
-    fresnel_float2 sum2 = twofold_sum(n2, i2);
-    fresnel_float2 product = twofold_product(c2, sum2);
-    fresnel_float2 N_ = twofold_difference(product, i2);
-    float s2 = (1.0 - cos_i) * (1.0 + cos_i);
     float is2 = n_i * s2;
     float ac = a * cos_i;
     float bc = b * cos_i;

@@ -581,7 +581,7 @@ static inline fresnel_boundary conductor_fast_boundary(float n_i, float n_t, flo
 // cost    304 operations
 // source  Born and Wolf 1999; Knuth 1969; Dekker 1971
 static inline float conductor_precise(float n_i, float n_t, float k_t, float cos_i) {
-    const float c = n_i * cos_i;
+    const float s2 = (1.0f - cos_i) * (1.0f + cos_i);
 
     // what cancels, in twice the digits
     const fresnel_float2 n2 = two_product(n_t, n_t);
@@ -592,10 +592,14 @@ static inline float conductor_precise(float n_i, float n_t, float k_t, float cos
     const fresnel_float2 E = twofold_difference(m2, i2);
     const fresnel_float2 p2 = twofold_product(i2, c2); // (n_i cos_i)^2
     const fresnel_float2 q2 = twofold_sum(E, p2); // Re q^2, q^2 = m^2 - (n_i sin_i)^2
+    const fresnel_float2 sum2 = twofold_sum(n2, i2);
+    const fresnel_float2 product = twofold_product(c2, sum2);
+    const fresnel_float2 N = twofold_difference(product, i2); // 0 at Brewster's angle where k_t = 0
 
     // q = a + i b, which is m cos_t; lengths in units of 1 / n_i
-    const float size = fabsf(q2.x);
+    const float c = n_i * cos_i;
     const float nk = n_t * k_t; // Im q^2 / 2
+    const float size = fabsf(q2.x);
     const float A = fmaxf(sqrtf(q2.x * q2.x + 4.0f * (nk * nk)), size); // |q|^2
     const float larger = sqrtf((A + size) / 2.0f); // of |Re q| and |Im q|
     const float smaller = nk / (larger > 0.0f ? larger : 1.0f);
@@ -613,10 +617,6 @@ static inline float conductor_precise(float n_i, float n_t, float k_t, float cos
     const float R_s = N_s / D;
 
     // p-polarised; nu is a cos_i - n_i sin_i^2, exact near Brewster's angle as well
-    const fresnel_float2 sum2 = twofold_sum(n2, i2);
-    const fresnel_float2 product = twofold_product(c2, sum2);
-    const fresnel_float2 N = twofold_difference(product, i2);
-    const float s2 = (1.0f - cos_i) * (1.0f + cos_i);
     const float is2 = n_i * s2;
     const float ac = a * cos_i;
     const float bc = b * cos_i;
@@ -652,7 +652,7 @@ static inline fresnel_float3 conductor_precise_rgb_dir(float n_i, fresnel_float3
 
 // Reflectances and transmittances of both polarisations.
 static inline fresnel_boundary conductor_precise_boundary(float n_i, float n_t, float k_t, float cos_i) {
-    const float c = n_i * cos_i;
+    const float s2 = (1.0f - cos_i) * (1.0f + cos_i);
 
     // what cancels, in twice the digits
     const fresnel_float2 n2 = two_product(n_t, n_t);
@@ -663,10 +663,14 @@ static inline fresnel_boundary conductor_precise_boundary(float n_i, float n_t, 
     const fresnel_float2 E = twofold_difference(m2, i2);
     const fresnel_float2 p2 = twofold_product(i2, c2); // (n_i cos_i)^2
     const fresnel_float2 q2 = twofold_sum(E, p2); // Re q^2, q^2 = m^2 - (n_i sin_i)^2
+    const fresnel_float2 sum2 = twofold_sum(n2, i2);
+    const fresnel_float2 product = twofold_product(c2, sum2);
+    const fresnel_float2 N = twofold_difference(product, i2); // 0 at Brewster's angle where k_t = 0
 
     // q = a + i b, which is m cos_t; lengths in units of 1 / n_i
-    const float size = fabsf(q2.x);
+    const float c = n_i * cos_i;
     const float nk = n_t * k_t; // Im q^2 / 2
+    const float size = fabsf(q2.x);
     const float A = fmaxf(sqrtf(q2.x * q2.x + 4.0f * (nk * nk)), size); // |q|^2
     const float larger = sqrtf((A + size) / 2.0f); // of |Re q| and |Im q|
     const float smaller = nk / (larger > 0.0f ? larger : 1.0f);
@@ -685,10 +689,6 @@ static inline fresnel_boundary conductor_precise_boundary(float n_i, float n_t, 
     const float T_s = N_s <= 0.0f ? 1.0f : 4.0f * (a * c) / D;
 
     // p-polarised; nu is a cos_i - n_i sin_i^2, exact near Brewster's angle as well
-    const fresnel_float2 sum2 = twofold_sum(n2, i2);
-    const fresnel_float2 product = twofold_product(c2, sum2);
-    const fresnel_float2 N = twofold_difference(product, i2);
-    const float s2 = (1.0f - cos_i) * (1.0f + cos_i);
     const float is2 = n_i * s2;
     const float ac = a * cos_i;
     const float bc = b * cos_i;

@@ -587,7 +587,7 @@ inline fresnel_boundary conductor_fast_boundary(float n_i, float n_t, float k_t,
 // cost    304 operations
 // source  Born and Wolf 1999; Knuth 1969; Dekker 1971
 inline float conductor_precise(float n_i, float n_t, float k_t, float cos_i) {
-    float c = n_i * cos_i;
+    float s2 = (1.0f - cos_i) * (1.0f + cos_i);
 
     // what cancels, in twice the digits
     float2 n2 = two_product(n_t, n_t);
@@ -598,10 +598,14 @@ inline float conductor_precise(float n_i, float n_t, float k_t, float cos_i) {
     float2 E = twofold_difference(m2, i2);
     float2 p2 = twofold_product(i2, c2); // (n_i cos_i)^2
     float2 q2 = twofold_sum(E, p2); // Re q^2, q^2 = m^2 - (n_i sin_i)^2
+    float2 sum2 = twofold_sum(n2, i2);
+    float2 product = twofold_product(c2, sum2);
+    float2 N = twofold_difference(product, i2); // 0 at Brewster's angle where k_t = 0
 
     // q = a + i b, which is m cos_t; lengths in units of 1 / n_i
-    float size = abs(q2.x);
+    float c = n_i * cos_i;
     float nk = n_t * k_t; // Im q^2 / 2
+    float size = abs(q2.x);
     float A = max(sqrt(q2.x * q2.x + 4.0f * (nk * nk)), size); // |q|^2
     float larger = sqrt((A + size) / 2.0f); // of |Re q| and |Im q|
     float smaller = nk / (larger > 0.0f ? larger : 1.0f);
@@ -619,10 +623,6 @@ inline float conductor_precise(float n_i, float n_t, float k_t, float cos_i) {
     float R_s = N_s / D;
 
     // p-polarised; nu is a cos_i - n_i sin_i^2, exact near Brewster's angle as well
-    float2 sum2 = twofold_sum(n2, i2);
-    float2 product = twofold_product(c2, sum2);
-    float2 N = twofold_difference(product, i2);
-    float s2 = (1.0f - cos_i) * (1.0f + cos_i);
     float is2 = n_i * s2;
     float ac = a * cos_i;
     float bc = b * cos_i;
@@ -654,7 +654,7 @@ inline float3 conductor_precise(float n_i, float3 n_t, float3 k_t, float3 normal
 
 // Reflectances and transmittances of both polarisations.
 inline fresnel_boundary conductor_precise_boundary(float n_i, float n_t, float k_t, float cos_i) {
-    float c = n_i * cos_i;
+    float s2 = (1.0f - cos_i) * (1.0f + cos_i);
 
     // what cancels, in twice the digits
     float2 n2 = two_product(n_t, n_t);
@@ -665,10 +665,14 @@ inline fresnel_boundary conductor_precise_boundary(float n_i, float n_t, float k
     float2 E = twofold_difference(m2, i2);
     float2 p2 = twofold_product(i2, c2); // (n_i cos_i)^2
     float2 q2 = twofold_sum(E, p2); // Re q^2, q^2 = m^2 - (n_i sin_i)^2
+    float2 sum2 = twofold_sum(n2, i2);
+    float2 product = twofold_product(c2, sum2);
+    float2 N = twofold_difference(product, i2); // 0 at Brewster's angle where k_t = 0
 
     // q = a + i b, which is m cos_t; lengths in units of 1 / n_i
-    float size = abs(q2.x);
+    float c = n_i * cos_i;
     float nk = n_t * k_t; // Im q^2 / 2
+    float size = abs(q2.x);
     float A = max(sqrt(q2.x * q2.x + 4.0f * (nk * nk)), size); // |q|^2
     float larger = sqrt((A + size) / 2.0f); // of |Re q| and |Im q|
     float smaller = nk / (larger > 0.0f ? larger : 1.0f);
@@ -687,10 +691,6 @@ inline fresnel_boundary conductor_precise_boundary(float n_i, float n_t, float k
     float T_s = N_s <= 0.0f ? 1.0f : 4.0f * (a * c) / D;
 
     // p-polarised; nu is a cos_i - n_i sin_i^2, exact near Brewster's angle as well
-    float2 sum2 = twofold_sum(n2, i2);
-    float2 product = twofold_product(c2, sum2);
-    float2 N = twofold_difference(product, i2);
-    float s2 = (1.0f - cos_i) * (1.0f + cos_i);
     float is2 = n_i * s2;
     float ac = a * cos_i;
     float bc = b * cos_i;

@@ -947,7 +947,7 @@ export const conductorPrecise = /*@__PURE__*/ native(/* wgsl */ `
 // cost    304 operations
 // source  Born and Wolf 1999; Knuth 1969; Dekker 1971
 fn conductor_precise(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
-    let c = n_i * cos_i;
+    let s2 = (1.0 - cos_i) * (1.0 + cos_i);
 
     // what cancels, in twice the digits
     let n2 = two_product(n_t, n_t);
@@ -958,10 +958,14 @@ fn conductor_precise(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let E = twofold_difference(m2, i2);
     let p2 = twofold_product(i2, c2); // (n_i cos_i)^2
     let q2 = twofold_sum(E, p2); // Re q^2, q^2 = m^2 - (n_i sin_i)^2
+    let sum2 = twofold_sum(n2, i2);
+    let product = twofold_product(c2, sum2);
+    let N = twofold_difference(product, i2); // 0 at Brewster's angle where k_t = 0
 
     // q = a + i b, which is m cos_t; lengths in units of 1 / n_i
-    let size = abs(q2.x);
+    let c = n_i * cos_i;
     let nk = n_t * k_t; // Im q^2 / 2
+    let size = abs(q2.x);
     let A = max(sqrt(q2.x * q2.x + 4.0 * (nk * nk)), size); // |q|^2
     let larger = sqrt((A + size) / 2.0); // of |Re q| and |Im q|
     let smaller = nk / select(1.0, larger, larger > 0.0);
@@ -979,10 +983,6 @@ fn conductor_precise(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let R_s = N_s / D;
 
     // p-polarised; nu is a cos_i - n_i sin_i^2, exact near Brewster's angle as well
-    let sum2 = twofold_sum(n2, i2);
-    let product = twofold_product(c2, sum2);
-    let N = twofold_difference(product, i2);
-    let s2 = (1.0 - cos_i) * (1.0 + cos_i);
     let is2 = n_i * s2;
     let ac = a * cos_i;
     let bc = b * cos_i;
@@ -1009,7 +1009,7 @@ fn conductor_precise(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
 // cost    304 operations
 // source  Born and Wolf 1999; Knuth 1969; Dekker 1971
 float conductor_precise(float n_i, float n_t, float k_t, float cos_i) {
-    float c = n_i * cos_i;
+    float s2 = (1.0 - cos_i) * (1.0 + cos_i);
 
     // what cancels, in twice the digits
     vec2 n2 = two_product(n_t, n_t);
@@ -1020,10 +1020,14 @@ float conductor_precise(float n_i, float n_t, float k_t, float cos_i) {
     vec2 E_ = twofold_difference(m2, i2);
     vec2 p2 = twofold_product(i2, c2); // (n_i cos_i)^2
     vec2 q2 = twofold_sum(E_, p2); // Re q^2, q^2 = m^2 - (n_i sin_i)^2
+    vec2 sum2 = twofold_sum(n2, i2);
+    vec2 product = twofold_product(c2, sum2);
+    vec2 N = twofold_difference(product, i2); // 0 at Brewster's angle where k_t = 0
 
     // q = a + i b, which is m cos_t; lengths in units of 1 / n_i
-    float size = abs(q2.x);
+    float c = n_i * cos_i;
     float nk = n_t * k_t; // Im q^2 / 2
+    float size = abs(q2.x);
     float A = max(sqrt(q2.x * q2.x + 4.0 * (nk * nk)), size); // |q|^2
     float larger = sqrt((A + size) / 2.0); // of |Re q| and |Im q|
     float smaller = nk / (larger > 0.0 ? larger : 1.0);
@@ -1041,10 +1045,6 @@ float conductor_precise(float n_i, float n_t, float k_t, float cos_i) {
     float R_s = N_s / D;
 
     // p-polarised; nu is a cos_i - n_i sin_i^2, exact near Brewster's angle as well
-    vec2 sum2 = twofold_sum(n2, i2);
-    vec2 product = twofold_product(c2, sum2);
-    vec2 N = twofold_difference(product, i2);
-    float s2 = (1.0 - cos_i) * (1.0 + cos_i);
     float is2 = n_i * s2;
     float ac = a * cos_i;
     float bc = b * cos_i;

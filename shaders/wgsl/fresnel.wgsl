@@ -573,7 +573,7 @@ fn conductor_fast_boundary(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> fresnel_
 // cost    304 operations
 // source  Born and Wolf 1999; Knuth 1969; Dekker 1971
 fn conductor_precise(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
-    let c = n_i * cos_i;
+    let s2 = (1.0 - cos_i) * (1.0 + cos_i);
 
     // what cancels, in twice the digits
     let n2 = two_product(n_t, n_t);
@@ -584,10 +584,14 @@ fn conductor_precise(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let E = twofold_difference(m2, i2);
     let p2 = twofold_product(i2, c2); // (n_i cos_i)^2
     let q2 = twofold_sum(E, p2); // Re q^2, q^2 = m^2 - (n_i sin_i)^2
+    let sum2 = twofold_sum(n2, i2);
+    let product = twofold_product(c2, sum2);
+    let N = twofold_difference(product, i2); // 0 at Brewster's angle where k_t = 0
 
     // q = a + i b, which is m cos_t; lengths in units of 1 / n_i
-    let size = abs(q2.x);
+    let c = n_i * cos_i;
     let nk = n_t * k_t; // Im q^2 / 2
+    let size = abs(q2.x);
     let A = max(sqrt(q2.x * q2.x + 4.0 * (nk * nk)), size); // |q|^2
     let larger = sqrt((A + size) / 2.0); // of |Re q| and |Im q|
     let smaller = nk / select(1.0, larger, larger > 0.0);
@@ -605,10 +609,6 @@ fn conductor_precise(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let R_s = N_s / D;
 
     // p-polarised; nu is a cos_i - n_i sin_i^2, exact near Brewster's angle as well
-    let sum2 = twofold_sum(n2, i2);
-    let product = twofold_product(c2, sum2);
-    let N = twofold_difference(product, i2);
-    let s2 = (1.0 - cos_i) * (1.0 + cos_i);
     let is2 = n_i * s2;
     let ac = a * cos_i;
     let bc = b * cos_i;
@@ -640,7 +640,7 @@ fn conductor_precise_rgb_dir(n_i: f32, n_t: vec3f, k_t: vec3f, normal: vec3f, di
 
 // Reflectances and transmittances of both polarisations.
 fn conductor_precise_boundary(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> fresnel_boundary {
-    let c = n_i * cos_i;
+    let s2 = (1.0 - cos_i) * (1.0 + cos_i);
 
     // what cancels, in twice the digits
     let n2 = two_product(n_t, n_t);
@@ -651,10 +651,14 @@ fn conductor_precise_boundary(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> fresn
     let E = twofold_difference(m2, i2);
     let p2 = twofold_product(i2, c2); // (n_i cos_i)^2
     let q2 = twofold_sum(E, p2); // Re q^2, q^2 = m^2 - (n_i sin_i)^2
+    let sum2 = twofold_sum(n2, i2);
+    let product = twofold_product(c2, sum2);
+    let N = twofold_difference(product, i2); // 0 at Brewster's angle where k_t = 0
 
     // q = a + i b, which is m cos_t; lengths in units of 1 / n_i
-    let size = abs(q2.x);
+    let c = n_i * cos_i;
     let nk = n_t * k_t; // Im q^2 / 2
+    let size = abs(q2.x);
     let A = max(sqrt(q2.x * q2.x + 4.0 * (nk * nk)), size); // |q|^2
     let larger = sqrt((A + size) / 2.0); // of |Re q| and |Im q|
     let smaller = nk / select(1.0, larger, larger > 0.0);
@@ -673,10 +677,6 @@ fn conductor_precise_boundary(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> fresn
     let T_s = select(4.0 * (a * c) / D, 1.0, N_s <= 0.0);
 
     // p-polarised; nu is a cos_i - n_i sin_i^2, exact near Brewster's angle as well
-    let sum2 = twofold_sum(n2, i2);
-    let product = twofold_product(c2, sum2);
-    let N = twofold_difference(product, i2);
-    let s2 = (1.0 - cos_i) * (1.0 + cos_i);
     let is2 = n_i * s2;
     let ac = a * cos_i;
     let bc = b * cos_i;

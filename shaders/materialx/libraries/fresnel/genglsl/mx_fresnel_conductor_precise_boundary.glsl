@@ -4,7 +4,7 @@
 
 // Reflectances and transmittances of both polarisations.
 fresnel_boundary fresnel_conductor_precise_boundary(float n_i, float n_t, float k_t, float cos_i) {
-    float c = n_i * cos_i;
+    float s2 = (1.0 - cos_i) * (1.0 + cos_i);
 
     // what cancels, in twice the digits
     vec2 n2 = two_product(n_t, n_t);
@@ -15,10 +15,14 @@ fresnel_boundary fresnel_conductor_precise_boundary(float n_i, float n_t, float 
     vec2 E = twofold_difference(m2, i2);
     vec2 p2 = twofold_product(i2, c2); // (n_i cos_i)^2
     vec2 q2 = twofold_sum(E, p2); // Re q^2, q^2 = m^2 - (n_i sin_i)^2
+    vec2 sum2 = twofold_sum(n2, i2);
+    vec2 product = twofold_product(c2, sum2);
+    vec2 N = twofold_difference(product, i2); // 0 at Brewster's angle where k_t = 0
 
     // q = a + i b, which is m cos_t; lengths in units of 1 / n_i
-    float size = abs(q2.x);
+    float c = n_i * cos_i;
     float nk = n_t * k_t; // Im q^2 / 2
+    float size = abs(q2.x);
     float A = max(sqrt(q2.x * q2.x + 4.0 * (nk * nk)), size); // |q|^2
     float larger = sqrt((A + size) / 2.0); // of |Re q| and |Im q|
     float smaller = nk / (larger > 0.0 ? larger : 1.0);
@@ -37,10 +41,6 @@ fresnel_boundary fresnel_conductor_precise_boundary(float n_i, float n_t, float 
     float T_s = N_s <= 0.0 ? 1.0 : 4.0 * (a * c) / D;
 
     // p-polarised; nu is a cos_i - n_i sin_i^2, exact near Brewster's angle as well
-    vec2 sum2 = twofold_sum(n2, i2);
-    vec2 product = twofold_product(c2, sum2);
-    vec2 N = twofold_difference(product, i2);
-    float s2 = (1.0 - cos_i) * (1.0 + cos_i);
     float is2 = n_i * s2;
     float ac = a * cos_i;
     float bc = b * cos_i;
