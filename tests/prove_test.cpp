@@ -120,6 +120,20 @@ TEST(prove, of_schlick_inside_is_that_of_schlick_outside) {
         EXPECT_LE(schlick_internal_error(1 / (1.3 + 0.01 * i)).size(), inside.absolute.hi);
 }
 
+TEST(prove, says_whose_relative_error_is_unbounded_near_an_index_match) {
+    const auto relative = [](auto model, double eta) {
+        const double exact = dielectric(1.0, eta, 0.5).reflectance();
+        return std::abs(model(normal_reflectance(1.0, eta, 0.0), 0.5) / exact - 1);
+    };
+    const auto of_schlick = [](double f0, double c) { return schlick(f0, c); };
+    EXPECT_TRUE(prove("schlick").unbounded_near_match);
+    EXPECT_GT(relative(of_schlick, 1 + 1e-5), 50 * relative(of_schlick, 1 + 1e-4));
+
+    const auto of_constant = [](double f0, double) { return f0; };
+    EXPECT_FALSE(prove("constant").unbounded_near_match);
+    EXPECT_LT(relative(of_constant, 1 + 1e-5), 1);
+}
+
 TEST(prove, says_where_a_bound_is_measured_only) {
     for (const char* name : {"dielectric", "conductor_fast", "conductor_precise"}) {
         const certificate c = prove(name);
@@ -156,7 +170,7 @@ TEST_F(prove_command, prints_its_keys) {
     ASSERT_EQ(all.size(), 2u);
     for (const auto& one : all)
         for (const char* key : {"model", "domain", "absolute", "relative", "at", "rounding_float32",
-                                "rounding_bound", "proved"})
+                                "rounding_bound", "proved", "relative_as_eta_goes_to_1"})
             EXPECT_TRUE(one.contains(key)) << key;
     EXPECT_EQ(all[0]["proved"], true);
     EXPECT_TRUE(all[1]["relative"].is_null());

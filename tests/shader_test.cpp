@@ -2,6 +2,9 @@
 
 #include "command.hpp"
 
+#include <regex>
+#include <sstream>
+
 namespace fresnel::test {
 namespace {
 
@@ -23,19 +26,19 @@ void expect_holds(const std::string& text, const std::string& piece) {
 TEST_F(shader, prints_schlick_as_a_person_would_write_it) {
     const std::string glsl = text("schlick --lang glsl");
     expect_holds(glsl, "float schlick(float f0, float cos_i) {\n"
-                       "    float m = 1.0 - cos_i;\n"
-                       "    float m2 = m * m;\n"
-                       "    return f0 + (1.0 - f0) * (m2 * m2 * m);\n"
+                       "    float x = 1.0 - cos_i;\n"
+                       "    float x2 = x * x;\n"
+                       "    return f0 + (1.0 - f0) * (x2 * x2 * x);\n"
                        "}\n");
     expect_holds(glsl, "vec3 schlick(vec3 f0, float cos_i) {\n");
     expect_holds(glsl, "vec3 schlick(vec3 f0, vec3 normal, vec3 direction) {\n");
     expect_holds(text("schlick --lang wgsl"), "fn schlick_rgb(f0: vec3f, cos_i: f32) -> vec3f {\n"
-                                              "    let m = 1.0 - cos_i;\n"
-                                              "    let m2 = m * m;\n"
-                                              "    return f0 + (1.0 - f0) * (m2 * m2 * m);\n"
+                                              "    let x = 1.0 - cos_i;\n"
+                                              "    let x2 = x * x;\n"
+                                              "    return f0 + (1.0 - f0) * (x2 * x2 * x);\n"
                                               "}\n");
     expect_holds(text("schlick --lang c"), "static inline float schlick(float f0, float cos_i) {\n"
-                                           "    const float m = 1.0f - cos_i;\n");
+                                           "    const float x = 1.0f - cos_i;\n");
 }
 
 TEST_F(shader, two_texts_pasted_into_one_file_keep_both_functions) {
@@ -51,7 +54,7 @@ TEST_F(shader, says_above_each_function_what_it_is_and_where_from) {
     const std::string hlsl = text("f82 --lang hlsl");
     for (const char* piece :
          {"// f0      reflectance at normal incidence, [0, 1]", "// cos_i   cosine of incidence, [0, 1]",
-          "// error   at most 0.0517, certified", "// cost    ", "// source  Hoffman 2019"})
+          "// error   at most 0.0517, certified for", "// cost    ", "// source  Hoffman 2019"})
         expect_holds(hlsl, piece);
     expect_holds(hlsl, "point away from the surface");
 }
@@ -72,10 +75,33 @@ TEST_F(shader, library_of_every_language_holds_every_model) {
     }
 }
 
+TEST_F(shader, library_of_every_language_has_short_lines_and_no_numbered_temporaries) {
+    const std::regex temporary(R"(\bt_[0-9]+\b)");
+    for (const char* language : language_names) {
+        std::istringstream library(text(std::string("--all --lang ") + language));
+        for (std::string line; std::getline(library, line);) {
+            EXPECT_LE(line.size(), 120u) << language << ": " << line;
+            EXPECT_FALSE(std::regex_search(line, temporary)) << language << ": " << line;
+        }
+    }
+}
+
+TEST_F(shader, compensated_arithmetic_is_called_and_printed_once) {
+    for (const char* language : language_names)
+        for (const char* arguments : {"conductor_precise", "conductor_precise --fix n_i=1", "--all"}) {
+            const std::string printed = text(std::string(arguments) + " --lang " + language);
+            expect_holds(printed, " = two_product(n_t, n_t);\n");
+            const std::regex definition("two_sum\\([^)]*\\)( -> vec2f)? \\{");
+            EXPECT_EQ(std::distance(std::sregex_iterator(printed.begin(), printed.end(), definition), {}), 1)
+                << language << " " << arguments;
+        }
+    EXPECT_EQ(text("schlick --lang glsl").find("two_sum"), std::string::npos);
+}
+
 TEST_F(shader, fixed_parameters_are_gone_and_folded) {
     const std::string glsl = text("schlick --fix f0=0.04");
     expect_holds(glsl, "float schlick(float cos_i) {\n");
-    expect_holds(glsl, "return 0.04 + 0.96 * (m2 * m2 * m);\n");
+    expect_holds(glsl, "return 0.04 + 0.96 * (x2 * x2 * x);\n");
     expect_holds(text("dielectric --fix n_i=1"), "float dielectric(float n_t, float cos_i) {\n");
     expect_holds(text("schlick --fix f0=1,0.78,0.34"), "vec3 f0 = vec3(1.0, 0.78, 0.34);\n");
 }

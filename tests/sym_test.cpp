@@ -176,6 +176,30 @@ TEST(sym, constants_are_folded_in_float) {
     EXPECT_NE((0 - x).node(), x.node());
 }
 
+TEST(sym, a_call_is_noted_beside_the_operations_that_it_stands_for) {
+    expression_graph graph;
+    const recording scope(graph);
+    const sym x = graph.input("x"), y = graph.input("y");
+    const twofold<sym> sum = let("sum", two_sum(x, y));
+    const expression hi = graph[sum.hi.node()];
+    EXPECT_EQ(hi.op, operation::add);
+    const function_call* call = graph.call_of(sum.lo.node());
+    ASSERT_NE(call, nullptr);
+    EXPECT_EQ(call, graph.call_of(sum.hi.node()));
+    EXPECT_EQ(call->function, "two_sum");
+    EXPECT_EQ(call->name, "sum");
+    EXPECT_EQ(call->arguments, (std::vector<std::vector<std::uint32_t>>{{x.node()}, {y.node()}}));
+
+    const twofold<sym> product = sum * two_product(x, y);
+    EXPECT_EQ(graph.call_of(product.hi.node())->function, "twofold_product") << "the outer call, not two_sum";
+    EXPECT_EQ(graph.call_of(product.hi.node())->arguments[0],
+              (std::vector<std::uint32_t>{sum.hi.node(), sum.lo.node()}));
+
+    const twofold<sym> same = two_sum(x, sym(0));
+    EXPECT_EQ(same.hi.node(), x.node());
+    EXPECT_EQ(graph.call_of(x.node()), nullptr) << "an input is no result";
+}
+
 TEST(sym, operands_stand_before_what_is_made_of_them) {
     for (const model_row<double>& row : model_table<double>()) {
         const function f = emit::record(row.name);
@@ -262,6 +286,47 @@ TEST(printer, writes_the_parentheses_that_keep_the_order_and_no_others) {
               "(a < 0.0 ? b : d) + 1.0");
     EXPECT_EQ(returned([](sym a, sym b, sym c) { return select(a > b, b, c); }, "wgsl"),
               "select(d, b, b < a)");
+}
+
+TEST(printer, writes_a_call_once_and_its_pair_where_it_is_used) {
+    function f;
+    f.name = "f", f.arguments = {{"a", 1, ""}, {"b", 1, ""}};
+    const recording scope(f.graph);
+    const sym a = f.graph.input("a"), b = f.graph.input("b");
+    const twofold<sym> p = let("p", two_product(a, b));
+    const twofold<sym> s = let("s", p - twofold<sym>{sym(1), sym(0)}, "a b - 1");
+    f.results = {{"R", (s.hi + s.lo * p.hi).node()}};
+    emit::simplify(f);
+    const auto body = [&](std::string_view language) {
+        const std::string text = emit::print(emit::find_language(language), f);
+        return text.substr(text.find("{\n") + 2);
+    };
+    EXPECT_EQ(body("glsl"), "    vec2 p = two_product(a, b);\n"
+                            "    vec2 s = twofold_difference(p, vec2(1.0, 0.0)); // a b - 1\n"
+                            "    return s.x + s.y * p.x;\n}\n");
+    EXPECT_EQ(
+        body("c"),
+        "    const fresnel_float2 p = two_product(a, b);\n"
+        "    const fresnel_float2 s = twofold_difference(p, fresnel_make_float2(1.0f, 0.0f)); // a b - 1\n"
+        "    return s.x + s.y * p.x;\n}\n");
+    EXPECT_TRUE(emit::calls_twofold(f));
+}
+
+TEST(printer, writes_the_title_of_a_step_above_it) {
+    function f;
+    f.name = "f", f.arguments = {{"a", 1, ""}};
+    const recording scope(f.graph);
+    const sym a = f.graph.input("a");
+    const sym b = let("b", a + 2, "first\nabove 2");
+    f.results = {{"R", (let("c", b * a, "second\n") - b).node()}};
+    EXPECT_EQ(emit::print(emit::find_language("glsl"), f), "float f(float a) {\n"
+                                                           "    // first\n"
+                                                           "    float b = a + 2.0; // above 2\n"
+                                                           "\n"
+                                                           "    // second\n"
+                                                           "    float c = b * a;\n"
+                                                           "    return c - b;\n"
+                                                           "}\n");
 }
 
 TEST(printer, writes_the_shortest_literal_that_reads_back_and_never_an_integer) {

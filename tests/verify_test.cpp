@@ -194,7 +194,7 @@ TEST(verify, a_changed_text_is_found) {
     struct {
         const char *id, *before, *after;
     } const changes[] = {{"schlick", "1.0 - cos_i", "1.0 - 1.0000001 * cos_i"},
-                         {"schlick_rgb", "m2 * m2 * m", "m2 * m * m"},
+                         {"schlick_rgb", "x2 * x2 * x", "x2 * x * x"},
                          {"dielectric", "n_t - n_i", "n_t + n_i"},
                          {"f82_tint", "0.46266437", "0.46266440"}};
     for (const char* language : {"glsl", "hlsl", "wgsl"}) {

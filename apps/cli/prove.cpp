@@ -29,6 +29,8 @@ nlohmann::json to_json(const certificate& c) {
             {"domain", c.domain},
             {"absolute", pair(c.absolute)},
             {"relative", c.relative ? pair(*c.relative) : nlohmann::json()},
+            {"relative_as_eta_goes_to_1",
+             c.unbounded_near_match ? nlohmann::json("unbounded") : nlohmann::json()},
             {"at", at},
             {"rounding_float32", c.rounding_float32},
             {"rounding_bound", c.rounding_bound ? nlohmann::json(*c.rounding_bound) : nlohmann::json()},
@@ -69,7 +71,13 @@ void run(const options& given) {
             list.push_back(to_json(c));
         else
             print(c);
-    if (given.json) print_json(list);
+    if (given.json) return print_json(list);
+
+    std::string unbounded;
+    for (const certificate& c : all)
+        if (c.unbounded_near_match) unbounded += (unbounded.empty() ? "" : ", ") + c.model;
+    if (!unbounded.empty())
+        fmt::print("\nAs eta goes to 1 the relative error is unbounded of: {}.\n", unbounded);
 }
 
 } // namespace
@@ -81,6 +89,8 @@ void add_prove(CLI::App& app) {
                     "  fresnel prove f82 powers_4_12 --json\n"
                     "  fresnel prove                              every model\n\n"
                     "The largest error certainly lies in the interval; domains as in `fresnel models`.\n"
+                    "Relative errors hold on the domain that `fresnel models` names; which of them are\n"
+                    "unbounded as eta goes to 1 stands below the table.\n"
                     "Rounding is of float32 against real arithmetic, for parameters up to 10; after ≥\n"
                     "it is measured only.");
     const auto given = std::make_shared<options>();

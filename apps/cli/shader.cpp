@@ -105,9 +105,12 @@ std::string text_of(const options& given) {
     if (!given.technique.empty()) return program_of(given);
     const emit::language& l = emit::find_language(given.language);
     if (given.all) return emit::library_text(l);
-    std::string text = emit::preamble(l, made_by(given));
+    std::vector<emit::model_request> requests;
     for (const std::string& model : given.models)
-        text += "\n" + emit::model_text(l, request_of(given, model));
+        requests.push_back(request_of(given, model));
+    std::string text = emit::preamble(l, made_by(given), requests);
+    for (const emit::model_request& request : requests)
+        text += "\n" + emit::model_text(l, request);
     note_renaming(l, given.name);
     return text;
 }

@@ -23,8 +23,8 @@ namespace fresnel {
 ///           "Real-Time Rendering", 4th ed., eq. 9.18
 template <class T>
 T schlick_f90(T f0, T f90, T cos_i) {
-    const T m = let("m", 1 - cos_i);
-    return f0 + (f90 - f0) * pow5(m);
+    const T x = let("x", 1 - cos_i);
+    return f0 + (f90 - f0) * pow5(x);
 }
 
 /// Schlick's approximation of dielectric or conductor reflectance.
@@ -36,8 +36,8 @@ T schlick_f90(T f0, T f90, T cos_i) {
 /// source  Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering"
 template <class T>
 T schlick(T f0, T cos_i) {
-    const T m = let("m", 1 - cos_i);
-    return f0 + (1 - f0) * pow5(m);
+    const T x = let("x", 1 - cos_i);
+    return f0 + (1 - f0) * pow5(x);
 }
 
 /// Schlick's approximation with the power left free, which follows metals far better.
@@ -49,7 +49,8 @@ T schlick(T f0, T cos_i) {
 /// source    "Real-Time Rendering", 4th ed., eq. 9.18, where the power is written 1 / p
 template <class T>
 T schlick_power(T f0, T f90, T power, T cos_i) {
-    return f0 + (f90 - f0) * pow(1 - cos_i, power);
+    const T rise = let("rise", f90 - f0);
+    return f0 + rise * pow(1 - cos_i, power);
 }
 
 /// Schlick's approximation written in n and k, without f0.
@@ -60,8 +61,8 @@ T schlick_power(T f0, T f90, T power, T cos_i) {
 /// source  Lazanyi and Szirmay-Kalos 2005, "Fresnel Term Approximations for Metals"
 template <class T>
 T schlick_nk(T n, T k, T cos_i) {
-    const T m = let("m", 1 - cos_i);
-    return min((square(n - 1) + k * k + 4 * n * pow5(m)) / (square(n + 1) + k * k), T(1));
+    const T x = let("x", 1 - cos_i);
+    return min((square(n - 1) + k * k + 4 * n * pow5(x)) / (square(n + 1) + k * k), T(1));
 }
 
 /// Schlick's approximation from inside a denser medium: the transmitted cosine takes the place of cos_i.
@@ -99,8 +100,8 @@ T spherical_gaussian(T f0, T cos_i) {
 /// source  photometric.io, "Improving Schlick's Approximation"
 template <class T>
 T photometric(T f0, T cos_i) {
-    const T m = let("m", 1 - cos_i);
-    return f0 + (m - f0) * square(m * m);
+    const T x = let("x", 1 - cos_i);
+    return f0 + (x - f0) * square(x * x);
 }
 
 /// The a of `powers_4_8`.
@@ -119,8 +120,9 @@ T powers_4_8_weight() {
 template <class T>
 T powers_4_8(T f0, T cos_i) {
     const T a = powers_4_8_weight<T>();
-    const T m4 = let("m4", square(square(1 - cos_i)));
-    return f0 + m4 * ((a - f0) + (1 - a) * m4);
+    const T x = let("x", 1 - cos_i);
+    const T x4 = let("x4", square(square(x)));
+    return f0 + x4 * ((a - f0) + (1 - a) * x4);
 }
 
 /// The a of `powers_3_9`.
@@ -139,9 +141,9 @@ T powers_3_9_weight(T f0) {
 template <class T>
 T powers_3_9(T f0, T cos_i) {
     const T a = powers_3_9_weight(f0);
-    const T m = let("m", 1 - cos_i);
-    const T m3 = let("m3", m * m * m);
-    return saturate(f0 + m3 * ((a - f0) + (1 - a) * (m3 * m3))); // a saturate is free on a graphics processor
+    const T x = let("x", 1 - cos_i);
+    const T x3 = let("x3", x * x * x);
+    return saturate(f0 + x3 * ((a - f0) + (1 - a) * (x3 * x3))); // a saturate is free on a graphics processor
 }
 
 /// Coefficients of three powers of 1 - cos_i, the lowest first.
@@ -153,7 +155,7 @@ struct three_terms {
 /// p, q and r of `powers_3_6_9`.
 template <class T>
 three_terms<T> powers_3_6_9_terms(T f0) {
-    const T s = let("s", sqrt(f0 + tiny<T>()));
+    const T s = let("s", sqrt(f0 + tiny<T>()), "2^-80 keeps the slope at f0 = 0 finite");
     const T p =
         let("p", ratio<T, 290623, 100000>() * s - ratio<T, 2379, 100000>() - ratio<T, 478491, 100000>() * f0);
     const T q =
@@ -173,8 +175,8 @@ three_terms<T> powers_3_6_9_terms(T f0) {
 template <class T>
 T powers_3_6_9(T f0, T cos_i) {
     const three_terms<T> t = powers_3_6_9_terms(f0);
-    const T m = let("m", 1 - cos_i);
-    const T y = let("y", m * m * m);
+    const T x = let("x", 1 - cos_i);
+    const T y = let("y", x * x * x);
     return saturate(f0 + y * (t.first + y * (t.second + y * t.third)));
 }
 
@@ -212,8 +214,12 @@ template <class T>
 T air_conductor(T n, T k, T cos_i) {
     const T c = cos_i;
     const T k2 = let("k2", k * k);
-    const T R_s = let("R_s", (square(n - c) + k2) / (square(n + c) + k2));
-    const T R_p = let("R_p", (square(n * c - 1) + k2 * (c * c)) / (square(n * c + 1) + k2 * (c * c)));
+    const T n_minus_c = let("n_minus_c", n - c);
+    const T n_plus_c = let("n_plus_c", n + c);
+    const T R_s = let("R_s", (square(n_minus_c) + k2) / (square(n_plus_c) + k2));
+    const T nc = let("nc", n * c);
+    const T kc2 = let("kc2", k2 * (c * c));
+    const T R_p = let("R_p", (square(nc - 1) + kc2) / (square(nc + 1) + kc2));
     return (R_s + R_p) / 2;
 }
 
@@ -228,7 +234,8 @@ T air_conductor(T n, T k, T cos_i) {
 /// source  Lazanyi and Szirmay-Kalos 2005, "Fresnel Term Approximations for Metals"
 template <class T>
 T lazanyi(T n, T k, T a, T alpha, T cos_i) {
-    return saturate(schlick_nk(n, k, cos_i) - a * cos_i * pow(1 - cos_i, alpha));
+    const T F = let("F", schlick_nk(n, k, cos_i));
+    return saturate(F - a * cos_i * pow(1 - cos_i, alpha));
 }
 
 /// The largest r of `gulbrandsen`: n is infinite at 1.
@@ -240,7 +247,7 @@ T gulbrandsen_limit() {
 /// The index n + i k, relative to the ambient medium, of `gulbrandsen`.
 template <class T>
 complex<T> gulbrandsen_index(T r, T g) {
-    const T f0 = let("f0", min(r, gulbrandsen_limit<T>()) + tiny<T>());
+    const T f0 = let("f0", min(r, gulbrandsen_limit<T>()) + tiny<T>(), "2^-80 keeps its root's slope finite");
     const T n_max = let("n_max", eta_from_f0(f0));
     const T n_min = let("n_min", (1 - f0) / (1 + f0));
     const T n =
@@ -267,13 +274,14 @@ T gulbrandsen(T r, T g, T cos_i) {
 /// Schlick's approximation at cos_i = 1/7, where f82 is.
 template <class T>
 T schlick_at_82(T f0) {
-    return let("at_82", f0 + (1 - f0) * ratio<T, 7776, 16807>()); // (6/7)^5
+    return let("at_82", f0 + (1 - f0) * ratio<T, 7776, 16807>(),
+               "Schlick's curve at cos_i = 1/7: x^5 is (6/7)^5");
 }
 
 /// The b for which b c x^6 is `depth` at c = 1/7.
 template <class T>
 T dip_of_depth(T depth) {
-    return let("b", depth * ratio<T, 823543, 46656>()); // 1 / ((1/7) (6/7)^6)
+    return let("b", depth * ratio<T, 823543, 46656>(), "divided by c x^6 at cos_i = 1/7");
 }
 
 /// Schlick's approximation with the dip of Lazanyi, through given reflectances at 0, 81.8 and 90 degrees.
@@ -288,11 +296,11 @@ T dip_of_depth(T depth) {
 ///           MaterialX
 template <class T>
 T hoffman(T f0, T f82, T f90, T power, T cos_i) {
-    const T at_82 = let("at_82", schlick_power(f0, f90, power, ratio<T, 1, 7>()));
+    const T at_82 = let("at_82", schlick_power(f0, f90, power, ratio<T, 1, 7>()), "at cos_i = 1/7: x is 6/7");
     const T b = dip_of_depth(at_82 - f82);
-    const T m = let("m", 1 - cos_i);
-    const T m2 = let("m2", m * m);
-    return saturate(schlick_power(f0, f90, power, cos_i) - b * cos_i * (m2 * m2 * m2));
+    const T x = let("x", 1 - cos_i);
+    const T x2 = let("x2", x * x);
+    return saturate(schlick_power(f0, f90, power, cos_i) - b * cos_i * (x2 * x2 * x2));
 }
 
 /// Schlick's approximation less the dip of Lazanyi with alpha = 6, its depth b given.
@@ -302,9 +310,9 @@ T hoffman(T f0, T f82, T f90, T power, T cos_i) {
 /// The shared body of `f82` and `f82_tint`.
 template <class T>
 T schlick_with_dip(T f0, T b, T cos_i) {
-    const T m = let("m", 1 - cos_i);
-    const T m5 = let("m5", pow5(m));
-    return saturate(f0 + (1 - f0) * m5 - b * cos_i * (m5 * m));
+    const T x = let("x", 1 - cos_i);
+    const T x5 = let("x5", pow5(x));
+    return saturate(f0 + (1 - f0) * x5 - b * cos_i * (x5 * x));
 }
 
 /// Schlick's approximation with a dip, through given reflectances at 0 and 81.8 degrees.
@@ -337,8 +345,9 @@ T f82_tint(T f0, T tint, T cos_i) {
 template <class T>
 T powers_4_12_term(T f0, T f82) {
     // q ((6/7)^8 - 1) = (f82 - f0) (7/6)^4 - (1 - f0)
-    const T rise = let("rise", (1 - f0) - (f82 - f0) * ratio<T, 2401, 1296>());
-    return let("q", rise * ratio<T, 5764801, 4085185>());
+    const T rise =
+        let("rise", (1 - f0) - (f82 - f0) * ratio<T, 2401, 1296>(), "1 / x^4 at cos_i = 1/7: (7/6)^4");
+    return let("q", rise * ratio<T, 5764801, 4085185>(), "1 / (1 - x^8) there");
 }
 
 /// Two powers through f0 and f82: the best single form for blends of metals and dielectrics.
@@ -352,8 +361,9 @@ T powers_4_12_term(T f0, T f82) {
 template <class T>
 T powers_4_12(T f0, T f82, T cos_i) {
     const T q = powers_4_12_term(f0, f82);
-    const T m4 = let("m4", square(square(1 - cos_i)));
-    return saturate(f0 + m4 * ((1 - f0 - q) + q * (m4 * m4)));
+    const T x = let("x", 1 - cos_i);
+    const T x4 = let("x4", square(square(x)));
+    return saturate(f0 + x4 * ((1 - f0 - q) + q * (x4 * x4)));
 }
 
 /// c2, c8 and c16 of `powers_2_8_16`.
@@ -378,9 +388,10 @@ three_terms<T> powers_2_8_16_terms(T f0, T f82) {
 template <class T>
 T powers_2_8_16(T f0, T f82, T cos_i) {
     const three_terms<T> t = powers_2_8_16_terms(f0, f82);
-    const T m2 = let("m2", square(1 - cos_i));
-    const T m8 = let("m8", square(m2 * m2));
-    return saturate(f0 + t.first * m2 + m8 * (t.second + t.third * m8));
+    const T x = let("x", 1 - cos_i);
+    const T x2 = let("x2", square(x));
+    const T x8 = let("x8", square(x2 * x2));
+    return saturate(f0 + t.first * x2 + x8 * (t.second + t.third * x8));
 }
 
 // ---- artistic ---------------------------------------------------------------------------------------------

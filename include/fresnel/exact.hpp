@@ -14,6 +14,7 @@
 
 #include <fresnel/complex.hpp>
 #include <fresnel/number.hpp>
+#include <fresnel/twofold.hpp>
 
 #include <limits>
 
@@ -66,25 +67,24 @@ template <class T>
 boundary<T> dielectric(T n_i, T n_t, T cos_i) {
     const T c = let("c", n_i * cos_i);
     const T s2 = let("s2", n_i * (1 - cos_i * cos_i));
-    const T E = let("E", (n_t - n_i) * (n_t + n_i), "eta^2 - 1");
+    const T E = let("E", (n_t - n_i) * (n_t + n_i), "n_t^2 - n_i^2");
 
-    // Snell
-    const T g2 = let("g2", E + c * c, "below 0 under total internal reflection");
-    const T g = let("g", sqrt(max(g2, negligible<T>())), "eta cos_t; so little there that R is 1");
+    const T g2 = let("g2", E + c * c, "Snell\nbelow 0 beyond the critical angle");
+    const T g = let("g", sqrt(max(g2, negligible<T>())), "n_t cos_t; beyond it so small that R is 1");
 
-    const T E2 = let("E2", E * E);
+    const T E2 = let("E2", E * E, "s-polarised, across the plane of incidence\n");
     const T cg = let("cg", c * g);
     const T a = let("a", 2 * (g + c));
     const T a2 = let("a2", a * a);
     const T D_s = let("D_s", max(E2 + cg * a2, negligible<T>()), "0 only for equal media at cos_i = 0");
     const T R_s = let("R_s", E2 / D_s);
 
-    const T x = let("x", cos_i * g);
+    const T x = let("x", cos_i * g, "p-polarised, along it\n");
     const T b = let("b", x + s2);
     const T q = let("q", (x - s2) / b);
     const T R_p = let("R_p", R_s * (q * q));
 
-    const T through_s = let("through_s", select(g2 <= 0, T(0), cg * (a2 / D_s)));
+    const T through_s = let("through_s", select(g2 <= 0, T(0), cg * (a2 / D_s)), "transmitted\n");
     const T through_p = let("through_p", select(g2 <= 0, T(0), 4 * (x * s2) / (b * b)));
     const T T_s = let("T_s", select(E2 <= 0, 1 - R_s, through_s));
     const T T_p = let("T_p", T_s + R_s * through_p);
@@ -118,8 +118,10 @@ boundary<T> dielectric_fast(T n_i, T n_t, T cos_i) {
     const T R_p = let("R_p", select(g2 <= 0, T(1), r2 * (q * q)));
 
     const T w = let("w", 4 * (c * g));
-    const T T_s = let("T_s", select(g2 <= 0, T(0), w / (a * a)));
-    const T T_p = let("T_p", select(g2 <= 0, T(0), T_s + r2 * (w * sin2 / (b * b))));
+    const T through_s = let("through_s", w / (a * a));
+    const T through_p = let("through_p", w * sin2 / (b * b));
+    const T T_s = let("T_s", select(g2 <= 0, T(0), through_s));
+    const T T_p = let("T_p", select(g2 <= 0, T(0), T_s + r2 * through_p));
     return {R_s, R_p, min(T_s, T(1)), min(T_p, T(1))};
 }
 
@@ -184,8 +186,7 @@ boundary<T> conductor(T n_i, T n_t, T k_t, T cos_i) {
     const T s2 = let("s2", n_i * sin2);
     const T s4 = let("s4", s2 * s2);
 
-    // Snell
-    const T E = let("E", (n_t - n_i) * (n_t + n_i) - k_t * k_t, "Re m^2 - 1");
+    const T E = let("E", (n_t - n_i) * (n_t + n_i) - k_t * k_t, "Snell\nRe m^2 - n_i^2, m the complex index");
     const T Z = let("Z", 2 * (n_t * k_t), "Im m^2");
     const T Z2 = let("Z2", Z * Z);
     const T t0 = let("t0", E + c2, "q^2 = t0 + i Z");
@@ -194,23 +195,23 @@ boundary<T> conductor(T n_i, T n_t, T k_t, T cos_i) {
     const T u = let("u", sqrt(2 * S), "twice the larger of Re q and Im q");
     const T a = let("a", select(t0 <= 0, Z, S), "u Re q");
 
-    const T h = let("h", 2 * (a * c));
-    const T F = let("F", (E * E + Z2) * S, "|c - q|^2 |c + q|^2");
+    const T h = let("h", 2 * (a * c), "s-polarised, across the plane of incidence\n");
+    const T F = let("F", (E * E + Z2) * S, "S |c - q|^2 |c + q|^2");
     const T G_s = let("G_s", (A + c2) * u + h);
     const T D_s =
-        let("D_s", max(F + h * G_s, negligible<T>()), "|c + q|^4; 0 only for equal media at cos_i = 0");
+        let("D_s", max(F + h * G_s, negligible<T>()), "S |c + q|^4; 0 only for equal media at cos_i = 0");
     const T R_s = let("R_s", F / D_s);
 
-    const T h_p = let("h_p", h * sin2);
+    const T h_p = let("h_p", h * sin2, "p-polarised, along it\n");
     const T N = let("N", t0 * cos2 - s4);
     const T M = let("M", Z * cos2);
     const T M2 = let("M2", M * M + least_square<T>() * ratio<T, 1, 1 << 20>(), "above 0, so that D_p is");
-    const T B = let("B", (N * N + M2) * S, "|q c - s^2|^2 |q c + s^2|^2");
+    const T B = let("B", (N * N + M2) * S, "S |q c - s^2|^2 |q c + s^2|^2");
     const T G_p = let("G_p", (A * cos2 + s4) * u + h_p);
-    const T D_p = let("D_p", B + h_p * G_p, "|q c + s^2|^4");
+    const T D_p = let("D_p", B + h_p * G_p, "S |q c + s^2|^4");
     const T R_p = let("R_p", R_s * (B / D_p));
 
-    const T T_s = let("T_s", select(F <= 0, 1 - R_s, 2 * (a * (G_s / D_s)) * c));
+    const T T_s = let("T_s", select(F <= 0, 1 - R_s, 2 * (a * (G_s / D_s)) * c), "transmitted\n");
     const T T_p = let("T_p", T_s + R_s * (2 * (a * (G_p / D_p)) * (c * sin2)));
     return {R_s, R_p, min(T_s, T(1)), min(T_p, T(1))};
 }
@@ -252,56 +253,6 @@ boundary<T> conductor_fast(T n_i, T n_t, T k_t, T cos_i) {
     return {R_s, R_p, min(T_s, T(1)), min(T_p, T(1))};
 }
 
-/// A value as an unevaluated sum hi + lo, twice the digits of T.
-template <class T>
-struct twofold {
-    T hi, lo;
-};
-
-/// a + b without rounding error (Knuth 1969, TAOCP vol. 2, sec. 4.2.2).
-template <class T>
-twofold<T> two_sum(T a, T b) {
-    const T sum = a + b;
-    const T b_part = sum - a;
-    return {sum, (a - (sum - b_part)) + (b - b_part)};
-}
-
-/// a in two halves of the mantissa, so that products of halves are exact (Veltkamp 1968).
-template <class T>
-twofold<T> halves(T a) {
-    const T factor = T(std::numeric_limits<T>::digits > 24 ? 134217729 : 4097); // 2^27 + 1, 2^12 + 1
-    const T t = factor * a;
-    const T hi = t - (t - a);
-    return {hi, a - hi};
-}
-
-/// a b without rounding error, from + - * alone (Dekker 1971).
-template <class T>
-twofold<T> two_product(T a, T b) {
-    const T product = a * b;
-    const twofold<T> x = halves(a), y = halves(b);
-    const T over = x.hi * y.lo, under = x.lo * y.hi; // of a square one and the same, in this order
-    return {product, ((x.hi * y.hi - product) + over + under) + x.lo * y.lo};
-}
-
-template <class T>
-twofold<T> operator+(twofold<T> x, twofold<T> y) {
-    const twofold<T> s = two_sum(x.hi, y.hi), t = two_sum(x.lo, y.lo);
-    const twofold<T> u = two_sum(s.hi, s.lo + t.hi);
-    return two_sum(u.hi, u.lo + t.lo);
-}
-
-template <class T>
-twofold<T> operator-(twofold<T> x, twofold<T> y) {
-    return x + twofold<T>{-y.hi, -y.lo};
-}
-
-template <class T>
-twofold<T> operator*(twofold<T> x, twofold<T> y) {
-    const twofold<T> p = two_product(x.hi, y.hi);
-    return two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
-}
-
 /// The exact equations with the two sums that cancel carried in twice the digits.
 ///
 /// t0 = n_t^2 - k_t^2 - n_i^2 s^2 vanishes at the critical angle and N = c^2 (n_t^2 + n_i^2) - n_i^2 at
@@ -313,42 +264,55 @@ twofold<T> operator*(twofold<T> x, twofold<T> y) {
 ///         re-associate (no -ffast-math)
 template <class T>
 boundary<T> conductor_precise(T n_i, T n_t, T k_t, T cos_i) {
-    const T s2 = (1 - cos_i) * (1 + cos_i);
-    const twofold<T> n2 = two_product(n_t, n_t), k2 = two_product(k_t, k_t), i2 = two_product(n_i, n_i);
-    const twofold<T> c2 = two_product(cos_i, cos_i);
-    const twofold<T> E2 = n2 - k2 - i2;
-    const twofold<T> t02 = E2 + i2 * c2;
-    const twofold<T> N2 = c2 * (n2 + i2) - i2;
+    const T s2 = let("s2", (1 - cos_i) * (1 + cos_i));
+    const twofold<T> n2 = let("n2", two_product(n_t, n_t), "what cancels, in twice the digits\n");
+    const twofold<T> k2 = let("k2", two_product(k_t, k_t)), i2 = let("i2", two_product(n_i, n_i));
+    const twofold<T> c2 = let("c2", two_product(cos_i, cos_i));
+    const twofold<T> m2 = let("m2", n2 - k2, "Re m^2, m = n_t + i k_t");
+    const twofold<T> E = let("E", m2 - i2);
+    const twofold<T> p2 = let("p2", i2 * c2, "(n_i cos_i)^2");
+    const twofold<T> q2 = let("q2", E + p2, "Re q^2, q^2 = m^2 - (n_i sin_i)^2");
+    const twofold<T> sum2 = let("sum2", n2 + i2);
+    const twofold<T> product = let("product", c2 * sum2);
+    const twofold<T> N = let("N", product - i2, "0 at Brewster's angle where k_t = 0");
 
-    // lengths in units of 1 / n_i: c is n_i cos_i, a + i b is n_i m cos_t
-    const T c = n_i * cos_i;
-    const T nk = n_t * k_t;
-    const T t0 = t02.hi;
-    const T A = max(sqrt(t0 * t0 + 4 * (nk * nk)), abs(t0));
-    const T m = sqrt((A + abs(t0)) / 2);
-    const T q = nk / select(m > 0, m, T(1));
-    const T a = select(t0 < 0, q, m);
-    const T b = select(t0 < 0, m, q);
-    const T b2 = b * b;
+    const T c = let("c", n_i * cos_i, "q = a + i b, which is m cos_t; lengths in units of 1 / n_i\n");
+    const T nk = let("nk", n_t * k_t, "Im q^2 / 2");
+    const T t0 = q2.hi;
+    const T size = let("size", abs(t0));
+    const T A = let("A", max(sqrt(t0 * t0 + 4 * (nk * nk)), size), "|q|^2");
+    const T larger = let("larger", sqrt((A + size) / 2), "of |Re q| and |Im q|");
+    const T smaller = let("smaller", nk / select(larger > 0, larger, T(1)));
+    const T a = let("a", select(t0 < 0, smaller, larger), "Re q");
+    const T b = let("b", select(t0 < 0, larger, smaller), "Im q");
+    const T b2 = let("b2", b * b);
 
-    const auto near_match = max(2 * abs(a - c), b) < c;
-    const T d = select(near_match, (E2.hi + b2) / select(near_match, a + c, T(1)), a - c);
-    const T D_s = square(a + c) + b2;
-    const T D = select(D_s <= 0, T(1), D_s);
-    const T N_s = d * d + b2;
-    const T R_s = N_s / D;
-    const T T_s = select(N_s <= 0, T(1), 4 * (a * c) / D);
+    const T a_minus_c =
+        let("a_minus_c", a - c, "s-polarised; d is a - c, exact near an index match as well\n");
+    const T a_plus_c = let("a_plus_c", a + c);
+    const auto near_match = max(2 * abs(a_minus_c), b) < c;
+    const T d = let("d", select(near_match, (E.hi + b2) / select(near_match, a_plus_c, T(1)), a_minus_c));
+    const T D_s = let("D_s", square(a_plus_c) + b2);
+    const T D = let("D", select(D_s <= 0, T(1), D_s), "0 only for equal media at cos_i = 0");
+    const T N_s = let("N_s", d * d + b2);
+    const T R_s = let("R_s", N_s / D);
+    const T T_s = let("T_s", select(N_s <= 0, T(1), 4 * (a * c) / D));
 
-    // Brewster: nu = a cos_i - n_i s^2 from nu (a cos_i + n_i s^2) = N + cos_i^2 (b^2 - k^2)
-    const T is2 = n_i * s2;
-    const T ac = a * cos_i;
-    const T bc2 = square(b * cos_i);
-    const auto near_brewster = max(2 * abs(ac - is2) - is2, 2 * b - n_i) < 0;
-    const T sum = select(ac + is2 <= 0, T(1), ac + is2);
-    const T nu = select(near_brewster, (N2.hi + c2.hi * (b2 - k2.hi)) / sum, ac - is2);
-    const T P = square(sum) + bc2;
-    const T R_p = R_s * ((nu * nu + bc2) / P);
-    const T T_p = T_s + R_s * (4 * (ac * is2) / P);
+    // nu = a cos_i - n_i s^2 from nu (a cos_i + n_i s^2) = N + cos_i^2 (b^2 - k^2)
+    const T is2 = let("is2", n_i * s2,
+                      "p-polarised; nu is a cos_i - n_i sin_i^2, exact near Brewster's angle as well\n");
+    const T ac = let("ac", a * cos_i);
+    const T bc = let("bc", b * cos_i);
+    const T bc2 = let("bc2", bc * bc);
+    const T difference = let("difference", ac - is2);
+    const auto near_brewster = max(2 * abs(difference) - is2, 2 * b - n_i) < 0;
+    const T total = let("total", ac + is2);
+    const T sum = let("sum", select(total <= 0, T(1), total));
+    const T exact = let("exact", (N.hi + c2.hi * (b2 - k2.hi)) / sum);
+    const T nu = let("nu", select(near_brewster, exact, difference));
+    const T P = let("P", square(sum) + bc2);
+    const T R_p = let("R_p", R_s * ((nu * nu + bc2) / P));
+    const T T_p = let("T_p", T_s + R_s * (4 * (ac * is2) / P));
     return {min(R_s, T(1)), min(R_p, T(1)), min(T_s, T(1)), min(T_p, T(1))};
 }
 

@@ -54,7 +54,8 @@ auto incidence_cosine(V normal, V direction) {
 /// returns  unit, on the side of n
 template <class V>
 V reflect(V v, V n) {
-    return (2 * dot(n, v)) * n - v;
+    const auto d = let("d", 2 * dot(n, v));
+    return d * n - v;
 }
 
 /// Snell's law: cosine of the transmitted ray, 0 beyond the critical angle.
@@ -187,7 +188,8 @@ T normal_reflectance(T n_i, T n_t, T k_t) {
 /// returns  [0, 1); the same for 1 / eta
 template <class T>
 T f0_from_eta(T eta) {
-    return square((eta - 1) / (eta + 1));
+    const T r = let("r", (eta - 1) / (eta + 1), "amplitude");
+    return square(r);
 }
 
 /// The relative index above 1 that gives f0, the outside of a surface.
@@ -197,7 +199,8 @@ T f0_from_eta(T eta) {
 /// f0   reflectance at normal incidence   [0, 1); infinite at 1
 template <class T>
 T eta_from_f0(T f0) {
-    return square(1 + sqrt(f0)) / (1 - f0);
+    const T p = let("p", 1 + sqrt(f0));
+    return square(p) / (1 - f0);
 }
 
 /// The relative index below 1 that gives the same f0, the inside of that surface.
@@ -207,7 +210,8 @@ T eta_from_f0(T f0) {
 /// f0   reflectance at normal incidence   [0, 1]
 template <class T>
 T inner_eta_from_f0(T f0) {
-    return (1 - f0) / square(1 + sqrt(f0));
+    const T p = let("p", 1 + sqrt(f0));
+    return (1 - f0) / square(p);
 }
 
 /// Sine of the critical angle of a surface known by its f0: the inner relative index itself.

@@ -132,7 +132,8 @@ inline constexpr auto registry = std::tuple{
     model{"conductor_fast",
           model_kind::exact,
           "Exact reflectance of an absorbing medium in the fewest operations.",
-          "R_s = (t1 - t2) / (t1 + t2), R_p = R_s (t3 - t4) / (t3 + t4)",
+          "R_s = (t1 - t2) / (t1 + t2), R_p = R_s (t3 - t4) / (t3 + t4), t1 = A + c^2, t2 = 2 a c, "
+          "t3 = A c^2 + s^4, t4 = t2 s^2, A = a^2 + b^2, (a + i b)^2 = (n + i k)^2 - s^2",
           std::array{row::n_i, row::n_t, row::k_t},
           "Lagarde 2013, Memo on Fresnel equations, after Shirley",
           row::any_index,
@@ -142,7 +143,7 @@ inline constexpr auto registry = std::tuple{
     model{"conductor_precise",
           model_kind::exact,
           "Exact reflectance of any medium, with the two sums that cancel in twice the digits.",
-          "as conductor, with the sums that cancel in twice the digits",
+          "R_s = |c - q|^2 / |c + q|^2, R_p = R_s |q c - s^2|^2 / |q c + s^2|^2, q^2 = (n + i k)^2 - s^2",
           std::array{row::n_i, row::n_t, row::k_t},
           "Born and Wolf 1999; Knuth 1969; Dekker 1971",
           row::any_index,

@@ -12,7 +12,9 @@
 //     sqrt abs min max        the usual ones; min and max keep a NaN that is their first argument
 //     exp2 log2 log pow       pow(x, y) for x >= 0 only
 //     let("name", x)          x itself; the name a paper gives it, for number types that print; a third argument
-//                             is a remark to stand beside it
+//                             is a remark to stand beside it; "title\n" or "title\nremark" gives a step of the
+//                             model its title, for which no comment is needed
+//     result_of("f", x, a, b) x itself, which a function f made of a and b; number types that print write a call of f
 //     ratio<T, 1, 7>()        the constant 1/7, correctly rounded in every T
 //     T(1)                    an integer as a T, where a literal alone would not have the type
 //
@@ -66,6 +68,12 @@ constexpr T max(T a, std::type_identity_t<T> b) {
 /// Gives a quantity the name it has in the literature, and says what it is: the identity for numbers.
 template <class T>
 constexpr T let(const char* /*name*/, T value, const char* /*remark*/ = nullptr) {
+    return value;
+}
+
+/// Says that a value is what the function of that name makes of the arguments: the identity for numbers.
+template <class R, class... Arguments>
+constexpr R result_of(const char* /*function*/, R value, const Arguments&... /*arguments*/) {
     return value;
 }
 

@@ -84,9 +84,9 @@ function runLavapipe() {
 
 // schlick with a factor too few; with a factor that rounds differently; with a name that is not defined.
 const faults = {
-    'a factor missing': (text) => text.replace('(m2 * m2 * m)', '(m2 * m2)'),
-    'a product in another order': (text) => text.replace('(m2 * m2 * m)', '(m2 * (m2 * m))'),
-    'an unknown name': (text) => text.replace('(m2 * m2 * m)', '(m2 * m2 * undefined_name)'),
+    'a factor missing': (text) => text.replace('(x2 * x2 * x)', '(x2 * x2)'),
+    'a product in another order': (text) => text.replace('(x2 * x2 * x)', '(x2 * (x2 * x))'),
+    'an unknown name': (text) => text.replace('(x2 * x2 * x)', '(x2 * x2 * undefined_name)'),
 };
 
 function differs(one, file) {

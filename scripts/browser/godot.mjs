@@ -198,7 +198,7 @@ function checkValues(said, functions) {
 function spoiled(files) {
     const rim = 'addons/fresnel/rim.gdshader', library = 'addons/fresnel/fresnel.gdshaderinc';
     return { ...files, [rim]: files[rim].replace('bias_scale_power_dir(', 'undefined_name('),
-             [library]: files[library].replace('(1.0 - f0) * (m2 * m2 * m)', '(1.0 - f0) * (m2 * m2)') };
+             [library]: files[library].replace('(1.0 - f0) * (x2 * x2 * x)', '(1.0 - f0) * (x2 * x2)') };
 }
 
 async function main(browser, address) {

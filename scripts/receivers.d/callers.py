@@ -2,13 +2,19 @@
 from receiver import functions
 
 
+# the types of two numbers, whose components are x and y
+pairs = ("vec2", "vec2f", "float2", "fresnel_float2")
+
+
 def call(language, function, one, three, direction):
-    """A call with these texts as arguments: a number, an RGB value, a direction."""
+    """A call with these texts as arguments: a number, an RGB value, a direction; two numbers are another call's."""
     # elsewhere directions and RGB values are of one type
     is_direction = {"osl": "vector"}.get(language)
+    pair = f"{function.name[:function.name.rfind(':') + 1]}two_sum({one}, {one})"
     texts = []
     for kind in function.arguments:
-        texts.append(one if kind in ("float", "f32") else direction if kind == is_direction else three)
+        texts.append(one if kind in ("float", "f32") else pair if kind in pairs
+                     else direction if kind == is_direction else three)
     return f"{function.name}({', '.join(texts)})"
 
 
@@ -22,6 +28,6 @@ def statements(language, text, one="harness_one", three="harness_three", directi
                                              value=call(language, function, one, three, direction)))
         value = (name if function.result in ("float", "f32")
                  else f"{name}.R_s + {name}.R_p + {name}.T_s + {name}.T_p" if function.result.endswith("fresnel_boundary")
-                 else component.format(name=name))
+                 else f"{name}.x" if function.result.endswith("fresnel_float2") else component.format(name=name))
         lines.append(f"    harness_sum {'= harness_sum +' if language == 'wgsl' else '+='} {value};")
     return "\n".join(lines)

@@ -148,7 +148,7 @@ class MaterialX(Receiver):
 
         library = "libraries/fresnel"
         yield "a bracket that is not closed, in GLSL", *copy(
-            "bracket", f"{library}/genglsl/mx_fresnel_schlick.glsl", "(m2 * m2 * m)", "(m2 * m2 * m")
+            "bracket", f"{library}/genglsl/mx_fresnel_schlick.glsl", "(x2 * x2 * x)", "(x2 * x2 * x")
         yield "a function= that is not in the source", *copy(
             "function", f"{library}/genglsl/fresnel_genglsl_impl.mtlx", 'function="mx_fresnel_f82_cos_float"',
             'function="mx_fresnel_f28_cos_float"')

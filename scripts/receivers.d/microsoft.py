@@ -117,8 +117,8 @@ def entry(i, function):
         inputs.append(f"{kind} a{k} : TEXCOORD{k}")
         texts.append(f"a{k}")
     called = f"{function.name}({', '.join(texts)})"
-    colour = {"float": f"float4({called}, 0.0, 0.0, 1.0)", "float3": f"float4({called}, 1.0)"}.get(
-        function.result, "float4(all.R_s, all.R_p, all.T_s, all.T_p)")
+    colour = {"float": f"float4({called}, 0.0, 0.0, 1.0)", "float2": f"float4({called}, 0.0, 1.0)",
+              "float3": f"float4({called}, 1.0)"}.get(function.result, "float4(all.R_s, all.R_p, all.T_s, all.T_p)")
     before = f"    fresnel_boundary all = {called};\n" if function.result == "fresnel_boundary" else ""
     listed = ", ".join(inputs)
     return (f"\nfloat4 ps_{i}({listed}) : COLOR {{\n{before}    return {colour};\n}}\n"

@@ -5,8 +5,11 @@ import sys
 import tempfile
 
 if __name__ == "__main__":
-    import bpy  # noqa: F401  it brings _cycles
+    import bpy  # it brings _cycles
     import _cycles
+    # has stdosl.h; otherwise it is looked for beside Python
+    addon = os.path.join(bpy.utils.resource_path("LOCAL"), "scripts", "addons_core", "cycles")
+    _cycles.init(addon, tempfile.gettempdir(), True)
 
     def said(file):
         """oslc writes to the standard output and error themselves, not to Python's."""

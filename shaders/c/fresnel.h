@@ -1,7 +1,9 @@
-// Fresnel reflectance in C99. Made by `fresnel shader --all --lang c`; do not edit.
+// Fresnel reflectance in C99.
+// Made by `fresnel shader --all --lang c`; do not edit.
 //
 // eta = n_t / n_i, the index behind the surface over the one in front; complex: n + i k.
-// cos_i is the cosine of incidence, in [0, 1].
+// cos_i is the cosine of incidence, in [0, 1]. In the equations c is cos_i, s is sin_i and
+// x is 1 - c; _s and _p are the polarisations across and along the plane of incidence.
 // Directions are unit vectors and point away from the surface; the one beside the normal is
 // yours: the view, the light or the half vector with either.
 // Reflectance is of unpolarised light and lies in [0, 1]. RGB values are linear.
@@ -42,8 +44,8 @@ static inline float incidence_cosine(fresnel_float3 normal, fresnel_float3 direc
 // direction where the light comes from, or the eye is; unit, on the side of normal
 // normal    unit
 static inline fresnel_float3 reflected_direction(fresnel_float3 direction, fresnel_float3 normal) {
-    const float t = 2.0f * (normal.x * direction.x + normal.y * direction.y + normal.z * direction.z);
-    fresnel_float3 result = {t * normal.x - direction.x, t * normal.y - direction.y, t * normal.z -
+    const float d = 2.0f * (normal.x * direction.x + normal.y * direction.y + normal.z * direction.z);
+    fresnel_float3 result = {d * normal.x - direction.x, d * normal.y - direction.y, d * normal.z -
             direction.z};
     return result;
 }
@@ -102,8 +104,8 @@ static inline float brewster_cosine(float eta) {
 //
 // eta       n_t / n_i, above 0
 static inline float f0_from_eta(float eta) {
-    const float t = (eta - 1.0f) / (eta + 1.0f);
-    return t * t;
+    const float r = (eta - 1.0f) / (eta + 1.0f); // amplitude
+    return r * r;
 }
 
 // The relative index above 1 that has this f0.
@@ -112,8 +114,8 @@ static inline float f0_from_eta(float eta) {
 //
 // f0        reflectance at normal incidence, [0, 1)
 static inline float eta_from_f0(float f0) {
-    const float t = 1.0f + sqrtf(f0);
-    return t * t / (1.0f - f0);
+    const float p = 1.0f + sqrtf(f0);
+    return p * p / (1.0f - f0);
 }
 
 // ---- highlights and thin layers ------------------------------------------------------------------------------
@@ -135,9 +137,9 @@ static inline float phong_lobe(float cos_r, float shininess) {
 // a0        opacity by reflection seen along the normal, [0, 1]
 // cos_i     cosine between view and normal, [0, 1]
 static inline float opacity_fresnel(float a0, float cos_i) {
-    const float m = 1.0f - cos_i;
-    const float m2 = m * m;
-    return a0 + (1.0f - a0) * (m2 * m2 * m);
+    const float x = 1.0f - cos_i;
+    const float x2 = x * x;
+    return a0 + (1.0f - a0) * (x2 * x2 * x);
 }
 
 // Opacity by attenuation in a thin layer, in proportion to the path through it.
@@ -170,6 +172,62 @@ static inline float opacity_total(float attenuation, float fresnel) {
     return attenuation + fresnel * (1.0f - attenuation);
 }
 
+// ---- twice the digits ----------------------------------------------------------------------------------------
+
+typedef struct {
+    float x, y;
+} fresnel_float2;
+
+static inline fresnel_float2 fresnel_make_float2(float x, float y) {
+    fresnel_float2 result = {x, y};
+    return result;
+}
+
+// a + b without rounding error: x is the rounded sum, y what it lacks (Knuth 1969).
+// Right only where the compiler does not rearrange: no fast math, precise where the language has it.
+static inline fresnel_float2 two_sum(float a, float b) {
+    const float sum = a + b;
+    const float b_part = sum - a;
+    return fresnel_make_float2(sum, a - (sum - b_part) + (b - b_part));
+}
+
+// a = x + y, half of its digits in each, so that products of halves are exact (Veltkamp 1968).
+static inline fresnel_float2 halves(float a) {
+    const float scaled = 4097.0f * a;
+    const float hi = scaled - (scaled - a);
+    return fresnel_make_float2(hi, a - hi);
+}
+
+// a b without rounding error: x is the rounded product, y what it lacks (Dekker 1971).
+static inline fresnel_float2 two_product(float a, float b) {
+    const float product = a * b;
+    const fresnel_float2 p = halves(a);
+    const fresnel_float2 q = halves(b);
+    const float over = p.x * q.y;
+    const float under = p.y * q.x;
+    const float error = p.x * q.x - product + over + under + p.y * q.y;
+    return fresnel_make_float2(product, error);
+}
+
+// a + b, where each number is a sum x + y with twice the digits of a float.
+static inline fresnel_float2 twofold_sum(fresnel_float2 a, fresnel_float2 b) {
+    const fresnel_float2 s = two_sum(a.x, b.x);
+    const fresnel_float2 t = two_sum(a.y, b.y);
+    const fresnel_float2 u = two_sum(s.x, s.y + t.x);
+    return two_sum(u.x, u.y + t.y);
+}
+
+// a - b of such numbers.
+static inline fresnel_float2 twofold_difference(fresnel_float2 a, fresnel_float2 b) {
+    return twofold_sum(a, fresnel_make_float2(-b.x, -b.y));
+}
+
+// a b of such numbers.
+static inline fresnel_float2 twofold_product(fresnel_float2 a, fresnel_float2 b) {
+    const fresnel_float2 p = two_product(a.x, b.x);
+    return two_sum(p.x, p.y + (a.x * b.y + a.y * b.x));
+}
+
 // ---- exact ---------------------------------------------------------------------------------------------------
 
 // Exact reflectance between two transparent media, accurate in float everywhere.
@@ -186,15 +244,21 @@ static inline float opacity_total(float attenuation, float fresnel) {
 static inline float dielectric(float n_i, float n_t, float cos_i) {
     const float c = n_i * cos_i;
     const float s2 = n_i * (1.0f - cos_i * cos_i);
-    const float E = (n_t - n_i) * (n_t + n_i); // eta^2 - 1
-    const float g2 = E + c * c; // below 0 under total internal reflection
-    const float g = sqrtf(fmaxf(g2, 1.1754944e-38f)); // eta cos_t; so little there that R is 1
+    const float E = (n_t - n_i) * (n_t + n_i); // n_t^2 - n_i^2
+
+    // Snell
+    const float g2 = E + c * c; // below 0 beyond the critical angle
+    const float g = sqrtf(fmaxf(g2, 1.1754944e-38f)); // n_t cos_t; beyond it so small that R is 1
+
+    // s-polarised, across the plane of incidence
     const float E2 = E * E;
     const float cg = c * g;
     const float a = 2.0f * (g + c);
     const float a2 = a * a;
     const float D_s = fmaxf(E2 + cg * a2, 1.1754944e-38f); // 0 only for equal media at cos_i = 0
     const float R_s = E2 / D_s;
+
+    // p-polarised, along it
     const float x = cos_i * g;
     const float b = x + s2;
     const float q = (x - s2) / b;
@@ -208,8 +272,9 @@ static inline float dielectric_dir(float n_i, float n_t, fresnel_float3 normal, 
 
 // The same for three channels, which share the angle.
 static inline fresnel_float3 dielectric_rgb(float n_i, fresnel_float3 n_t, float cos_i) {
-    fresnel_float3 result = {dielectric(n_i, n_t.x, cos_i), dielectric(n_i, n_t.y, cos_i),
-            dielectric(n_i, n_t.z, cos_i)};
+    fresnel_float3 result = {dielectric(n_i, n_t.x, cos_i),
+                             dielectric(n_i, n_t.y, cos_i),
+                             dielectric(n_i, n_t.z, cos_i)};
     return result;
 }
 
@@ -222,19 +287,27 @@ static inline fresnel_float3 dielectric_rgb_dir(float n_i, fresnel_float3 n_t, f
 static inline fresnel_boundary dielectric_boundary(float n_i, float n_t, float cos_i) {
     const float c = n_i * cos_i;
     const float s2 = n_i * (1.0f - cos_i * cos_i);
-    const float E = (n_t - n_i) * (n_t + n_i); // eta^2 - 1
-    const float g2 = E + c * c; // below 0 under total internal reflection
-    const float g = sqrtf(fmaxf(g2, 1.1754944e-38f)); // eta cos_t; so little there that R is 1
+    const float E = (n_t - n_i) * (n_t + n_i); // n_t^2 - n_i^2
+
+    // Snell
+    const float g2 = E + c * c; // below 0 beyond the critical angle
+    const float g = sqrtf(fmaxf(g2, 1.1754944e-38f)); // n_t cos_t; beyond it so small that R is 1
+
+    // s-polarised, across the plane of incidence
     const float E2 = E * E;
     const float cg = c * g;
     const float a = 2.0f * (g + c);
     const float a2 = a * a;
     const float D_s = fmaxf(E2 + cg * a2, 1.1754944e-38f); // 0 only for equal media at cos_i = 0
     const float R_s = E2 / D_s;
+
+    // p-polarised, along it
     const float x = cos_i * g;
     const float b = x + s2;
     const float q = (x - s2) / b;
     const float R_p = R_s * (q * q);
+
+    // transmitted
     const float through_s = g2 <= 0.0f ? 0.0f : cg * (a2 / D_s);
     const float through_p = g2 <= 0.0f ? 0.0f : 4.0f * (x * s2) / (b * b);
     const float T_s = E2 <= 0.0f ? 1.0f - R_s : through_s;
@@ -261,7 +334,9 @@ static inline float conductor(float n_i, float n_t, float k_t, float cos_i) {
     const float sin2 = 1.0f - cos2;
     const float s2 = n_i * sin2;
     const float s4 = s2 * s2;
-    const float E = (n_t - n_i) * (n_t + n_i) - k_t * k_t; // Re m^2 - 1
+
+    // Snell
+    const float E = (n_t - n_i) * (n_t + n_i) - k_t * k_t; // Re m^2 - n_i^2, m the complex index
     const float Z = 2.0f * (n_t * k_t); // Im m^2
     const float Z2 = Z * Z;
     const float t0 = E + c2; // q^2 = t0 + i Z
@@ -269,18 +344,22 @@ static inline float conductor(float n_i, float n_t, float k_t, float cos_i) {
     const float S = fmaxf(A + fabsf(t0), 8.881784e-16f); // 0 only at the critical angle
     const float u = sqrtf(2.0f * S); // twice the larger of Re q and Im q
     const float a = t0 <= 0.0f ? Z : S; // u Re q
+
+    // s-polarised, across the plane of incidence
     const float h = 2.0f * (a * c);
-    const float F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
+    const float F = (E * E + Z2) * S; // S |c - q|^2 |c + q|^2
     const float G_s = (A + c2) * u + h;
-    const float D_s = fmaxf(F + h * G_s, 1.1754944e-38f); // |c + q|^4; 0 only for equal media at cos_i = 0
+    const float D_s = fmaxf(F + h * G_s, 1.1754944e-38f); // S |c + q|^4; 0 only for equal media at cos_i = 0
     const float R_s = F / D_s;
+
+    // p-polarised, along it
     const float h_p = h * sin2;
     const float N = t0 * cos2 - s4;
     const float M = Z * cos2;
     const float M2 = M * M + 8.4703295e-22f; // above 0, so that D_p is
-    const float B = (N * N + M2) * S; // |q c - s^2|^2 |q c + s^2|^2
+    const float B = (N * N + M2) * S; // S |q c - s^2|^2 |q c + s^2|^2
     const float G_p = (A * cos2 + s4) * u + h_p;
-    const float D_p = B + h_p * G_p; // |q c + s^2|^4
+    const float D_p = B + h_p * G_p; // S |q c + s^2|^4
     const float R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0f;
 }
@@ -292,8 +371,9 @@ static inline float conductor_dir(float n_i, float n_t, float k_t, fresnel_float
 
 // The same for three channels, which share the angle.
 static inline fresnel_float3 conductor_rgb(float n_i, fresnel_float3 n_t, fresnel_float3 k_t, float cos_i) {
-    fresnel_float3 result = {conductor(n_i, n_t.x, k_t.x, cos_i), conductor(n_i, n_t.y, k_t.y, cos_i),
-            conductor(n_i, n_t.z, k_t.z, cos_i)};
+    fresnel_float3 result = {conductor(n_i, n_t.x, k_t.x, cos_i),
+                             conductor(n_i, n_t.y, k_t.y, cos_i),
+                             conductor(n_i, n_t.z, k_t.z, cos_i)};
     return result;
 }
 
@@ -310,7 +390,9 @@ static inline fresnel_boundary conductor_boundary(float n_i, float n_t, float k_
     const float sin2 = 1.0f - cos2;
     const float s2 = n_i * sin2;
     const float s4 = s2 * s2;
-    const float E = (n_t - n_i) * (n_t + n_i) - k_t * k_t; // Re m^2 - 1
+
+    // Snell
+    const float E = (n_t - n_i) * (n_t + n_i) - k_t * k_t; // Re m^2 - n_i^2, m the complex index
     const float Z = 2.0f * (n_t * k_t); // Im m^2
     const float Z2 = Z * Z;
     const float t0 = E + c2; // q^2 = t0 + i Z
@@ -318,19 +400,25 @@ static inline fresnel_boundary conductor_boundary(float n_i, float n_t, float k_
     const float S = fmaxf(A + fabsf(t0), 8.881784e-16f); // 0 only at the critical angle
     const float u = sqrtf(2.0f * S); // twice the larger of Re q and Im q
     const float a = t0 <= 0.0f ? Z : S; // u Re q
+
+    // s-polarised, across the plane of incidence
     const float h = 2.0f * (a * c);
-    const float F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
+    const float F = (E * E + Z2) * S; // S |c - q|^2 |c + q|^2
     const float G_s = (A + c2) * u + h;
-    const float D_s = fmaxf(F + h * G_s, 1.1754944e-38f); // |c + q|^4; 0 only for equal media at cos_i = 0
+    const float D_s = fmaxf(F + h * G_s, 1.1754944e-38f); // S |c + q|^4; 0 only for equal media at cos_i = 0
     const float R_s = F / D_s;
+
+    // p-polarised, along it
     const float h_p = h * sin2;
     const float N = t0 * cos2 - s4;
     const float M = Z * cos2;
     const float M2 = M * M + 8.4703295e-22f; // above 0, so that D_p is
-    const float B = (N * N + M2) * S; // |q c - s^2|^2 |q c + s^2|^2
+    const float B = (N * N + M2) * S; // S |q c - s^2|^2 |q c + s^2|^2
     const float G_p = (A * cos2 + s4) * u + h_p;
-    const float D_p = B + h_p * G_p; // |q c + s^2|^4
+    const float D_p = B + h_p * G_p; // S |q c + s^2|^4
     const float R_p = R_s * (B / D_p);
+
+    // transmitted
     const float T_s = F <= 0.0f ? 1.0f - R_s : 2.0f * (a * (G_s / D_s)) * c;
     const float T_p = T_s + R_s * (2.0f * (a * (G_p / D_p)) * (c * sin2));
     fresnel_boundary result = {R_s, R_p, fminf(T_s, 1.0f), fminf(T_p, 1.0f)};
@@ -370,8 +458,9 @@ static inline float dielectric_fast_dir(float n_i, float n_t, fresnel_float3 nor
 
 // The same for three channels, which share the angle.
 static inline fresnel_float3 dielectric_fast_rgb(float n_i, fresnel_float3 n_t, float cos_i) {
-    fresnel_float3 result = {dielectric_fast(n_i, n_t.x, cos_i), dielectric_fast(n_i, n_t.y, cos_i),
-            dielectric_fast(n_i, n_t.z, cos_i)};
+    fresnel_float3 result = {dielectric_fast(n_i, n_t.x, cos_i),
+                             dielectric_fast(n_i, n_t.y, cos_i),
+                             dielectric_fast(n_i, n_t.z, cos_i)};
     return result;
 }
 
@@ -396,16 +485,18 @@ static inline fresnel_boundary dielectric_fast_boundary(float n_i, float n_t, fl
     const float R_s = g2 <= 0.0f ? 1.0f : r2;
     const float R_p = g2 <= 0.0f ? 1.0f : r2 * (q * q);
     const float w = 4.0f * (c * g);
-    const float T_s = w / (a * a);
-    const float T_s_2 = g2 <= 0.0f ? 0.0f : T_s;
-    const float T_p = g2 <= 0.0f ? 0.0f : T_s + r2 * (w * sin2 / (b * b));
-    fresnel_boundary result = {R_s, R_p, fminf(T_s_2, 1.0f), fminf(T_p, 1.0f)};
+    const float through_s = w / (a * a);
+    const float through_p = w * sin2 / (b * b);
+    const float T_s = g2 <= 0.0f ? 0.0f : through_s;
+    const float T_p = g2 <= 0.0f ? 0.0f : through_s + r2 * through_p;
+    fresnel_boundary result = {R_s, R_p, fminf(T_s, 1.0f), fminf(T_p, 1.0f)};
     return result;
 }
 
 // Exact reflectance of an absorbing medium in the fewest operations.
 //
-//   R_s = (t1 - t2) / (t1 + t2), R_p = R_s (t3 - t4) / (t3 + t4)
+//   R_s = (t1 - t2) / (t1 + t2), R_p = R_s (t3 - t4) / (t3 + t4), t1 = A + c^2, t2 = 2 a c,
+//   t3 = A c^2 + s^4, t4 = t2 s^2, A = a^2 + b^2, (a + i b)^2 = (n + i k)^2 - s^2
 //
 // n_i     index in front of the surface, [0.01, 100]
 // n_t     index behind it, [0.001, 1000]
@@ -445,7 +536,8 @@ static inline float conductor_fast_dir(float n_i, float n_t, float k_t, fresnel_
 static inline fresnel_float3 conductor_fast_rgb(float n_i, fresnel_float3 n_t, fresnel_float3 k_t,
         float cos_i) {
     fresnel_float3 result = {conductor_fast(n_i, n_t.x, k_t.x, cos_i),
-            conductor_fast(n_i, n_t.y, k_t.y, cos_i), conductor_fast(n_i, n_t.z, k_t.z, cos_i)};
+                             conductor_fast(n_i, n_t.y, k_t.y, cos_i),
+                             conductor_fast(n_i, n_t.z, k_t.z, cos_i)};
     return result;
 }
 
@@ -483,7 +575,7 @@ static inline fresnel_boundary conductor_fast_boundary(float n_i, float n_t, flo
 
 // Exact reflectance of any medium, with the two sums that cancel in twice the digits.
 //
-//   F = as conductor, with the sums that cancel in twice the digits
+//   R_s = |c - q|^2 / |c + q|^2, R_p = R_s |q c - s^2|^2 / |q c + s^2|^2, q^2 = (n + i k)^2 - s^2
 //
 // n_i     index in front of the surface, [0.01, 100]
 // n_t     index behind it, [0.001, 1000]
@@ -493,123 +585,54 @@ static inline fresnel_boundary conductor_fast_boundary(float n_i, float n_t, flo
 // cost    304 operations
 // source  Born and Wolf 1999; Knuth 1969; Dekker 1971
 static inline float conductor_precise(float n_i, float n_t, float k_t, float cos_i) {
-    const float n_t2 = n_t * n_t;
-    const float k_t2 = k_t * k_t;
-    const float t = n_t2 + (-k_t2);
-    const float t_2 = t - n_t2;
-    const float t_3 = 4097.0f * n_t;
-    const float t_4 = t_3 - (t_3 - n_t);
-    const float t_5 = n_t - t_4;
-    const float t_6 = t_4 * t_5;
-    const float t_7 = t_4 * t_4 - n_t2 + t_6 + t_6 + t_5 * t_5;
-    const float t_8 = 4097.0f * k_t;
-    const float t_9 = t_8 - (t_8 - k_t);
-    const float t_10 = k_t - t_9;
-    const float t_11 = t_9 * t_10;
-    const float t_12 = t_9 * t_9 - k_t2 + t_11 + t_11 + t_10 * t_10;
-    const float t_13 = t_7 + (-t_12);
-    const float t_14 = n_t2 - (t - t_2) + (-k_t2 - t_2) + t_13;
-    const float t_15 = t + t_14;
-    const float t_16 = t_15 - t;
-    const float t_17 = t_13 - t_7;
-    const float t_18 = t - (t_15 - t_16) + (t_14 - t_16) + (t_7 - (t_13 - t_17) + (-t_12 - t_17));
-    const float t_19 = t_15 + t_18;
-    const float n_i2 = n_i * n_i;
-    const float t_20 = t_19 + (-n_i2);
-    const float t_21 = t_20 - t_19;
-    const float t_22 = t_19 - t_15;
-    const float t_23 = t_15 - (t_19 - t_22) + (t_18 - t_22);
-    const float t_24 = 4097.0f * n_i;
-    const float t_25 = t_24 - (t_24 - n_i);
-    const float t_26 = n_i - t_25;
-    const float t_27 = t_25 * t_26;
-    const float t_28 = t_25 * t_25 - n_i2 + t_27 + t_27 + t_26 * t_26;
-    const float t_29 = t_23 + (-t_28);
-    const float t_30 = t_19 - (t_20 - t_21) + (-n_i2 - t_21) + t_29;
-    const float t_31 = t_20 + t_30;
-    const float t_32 = t_31 - t_20;
-    const float t_33 = t_29 - t_23;
-    const float t_34 = t_20 - (t_31 - t_32) + (t_30 - t_32) + (t_23 - (t_29 - t_33) + (-t_28 - t_33));
-    const float t_35 = t_31 + t_34;
-    const float cos2 = cos_i * cos_i;
-    const float t_36 = n_i2 * cos2;
-    const float t_37 = 4097.0f * n_i2;
-    const float t_38 = t_37 - (t_37 - n_i2);
-    const float t_39 = 4097.0f * cos2;
-    const float t_40 = t_39 - (t_39 - cos2);
-    const float t_41 = cos2 - t_40;
-    const float t_42 = n_i2 - t_38;
-    const float t_43 = 4097.0f * cos_i;
-    const float t_44 = t_43 - (t_43 - cos_i);
-    const float t_45 = cos_i - t_44;
-    const float t_46 = t_44 * t_45;
-    const float t_47 = t_44 * t_44 - cos2 + t_46 + t_46 + t_45 * t_45;
-    const float t_48 = t_38 * t_40 - t_36 + t_38 * t_41 + t_42 * t_40 + t_42 * t_41 +
-            (n_i2 * t_47 + t_28 * cos2);
-    const float t_49 = t_36 + t_48;
-    const float t_50 = t_35 + t_49;
-    const float t_51 = t_50 - t_35;
-    const float t_52 = t_35 - t_31;
-    const float t_53 = t_31 - (t_35 - t_52) + (t_34 - t_52);
-    const float t_54 = t_49 - t_36;
-    const float t_55 = t_36 - (t_49 - t_54) + (t_48 - t_54);
-    const float t_56 = t_53 + t_55;
-    const float t_57 = t_35 - (t_50 - t_51) + (t_49 - t_51) + t_56;
-    const float t_58 = t_50 + t_57;
-    const float t_59 = t_58 - t_50;
-    const float t_60 = t_56 - t_53;
-    const float t_61 = t_58 + (t_50 - (t_58 - t_59) + (t_57 - t_59) + (t_53 - (t_56 - t_60) + (t_55 - t_60)));
-    const float t_62 = n_t * k_t;
-    const float t_63 = fabsf(t_61);
-    const float t_64 = sqrtf((fmaxf(sqrtf(t_61 * t_61 + 4.0f * (t_62 * t_62)), t_63) + t_63) / 2.0f);
-    const float t_65 = t_62 / (t_64 > 0.0f ? t_64 : 1.0f);
-    const float t_66 = t_61 < 0.0f ? t_65 : t_64;
-    const float t_67 = n_i * cos_i;
-    const float t_68 = t_66 - t_67;
-    const float t_69 = t_61 < 0.0f ? t_64 : t_65;
-    const float t_70 = t_69 * t_69;
-    const float t_71 = t_66 + t_67;
-    const float t_72 = fmaxf(2.0f * fabsf(t_68), t_69) < t_67 ? (t_35 + t_70) / t_71 : t_68;
-    const float t_73 = t_71 * t_71 + t_70;
-    const float t_74 = (t_72 * t_72 + t_70) / (t_73 <= 0.0f ? 1.0f : t_73);
-    const float t_75 = t_66 * cos_i;
-    const float t_76 = n_i * ((1.0f - cos_i) * (1.0f + cos_i));
-    const float t_77 = t_75 - t_76;
-    const float t_78 = n_t2 + n_i2;
-    const float t_79 = t_78 - n_t2;
-    const float t_80 = t_7 + t_28;
-    const float t_81 = n_t2 - (t_78 - t_79) + (n_i2 - t_79) + t_80;
-    const float t_82 = t_78 + t_81;
-    const float t_83 = t_82 - t_78;
-    const float t_84 = t_80 - t_7;
-    const float t_85 = t_78 - (t_82 - t_83) + (t_81 - t_83) + (t_7 - (t_80 - t_84) + (t_28 - t_84));
-    const float t_86 = t_82 + t_85;
-    const float t_87 = cos2 * t_86;
-    const float t_88 = 4097.0f * t_86;
-    const float t_89 = t_88 - (t_88 - t_86);
-    const float t_90 = t_86 - t_89;
-    const float t_91 = t_86 - t_82;
-    const float t_92 = t_40 * t_89 - t_87 + t_40 * t_90 + t_41 * t_89 + t_41 * t_90 +
-            (cos2 * (t_82 - (t_86 - t_91) + (t_85 - t_91)) + t_47 * t_86);
-    const float t_93 = t_87 + t_92;
-    const float t_94 = t_93 + (-n_i2);
-    const float t_95 = t_94 - t_93;
-    const float t_96 = t_93 - t_87;
-    const float t_97 = t_87 - (t_93 - t_96) + (t_92 - t_96);
-    const float t_98 = t_97 + (-t_28);
-    const float t_99 = t_93 - (t_94 - t_95) + (-n_i2 - t_95) + t_98;
-    const float t_100 = t_94 + t_99;
-    const float t_101 = t_100 - t_94;
-    const float t_102 = t_98 - t_97;
-    const float t_103 = t_75 + t_76;
-    const float t_104 = t_103 <= 0.0f ? 1.0f : t_103;
-    const float t_105 = fmaxf(2.0f * fabsf(t_77) - t_76, 2.0f * t_69 - n_i) < 0.0f ?
-            (t_100 + (t_94 - (t_100 - t_101) + (t_99 - t_101) + (t_97 - (t_98 - t_102) + (-t_28 - t_102))) +
-            cos2 * (t_70 - k_t2)) / t_104 : t_77;
-    const float t_106 = t_69 * cos_i;
-    const float t_107 = t_106 * t_106;
-    return (fminf(t_74, 1.0f) +
-            fminf(t_74 * ((t_105 * t_105 + t_107) / (t_104 * t_104 + t_107)), 1.0f)) / 2.0f;
+    const float s2 = (1.0f - cos_i) * (1.0f + cos_i);
+
+    // what cancels, in twice the digits
+    const fresnel_float2 n2 = two_product(n_t, n_t);
+    const fresnel_float2 k2 = two_product(k_t, k_t);
+    const fresnel_float2 i2 = two_product(n_i, n_i);
+    const fresnel_float2 c2 = two_product(cos_i, cos_i);
+    const fresnel_float2 m2 = twofold_difference(n2, k2); // Re m^2, m = n_t + i k_t
+    const fresnel_float2 E = twofold_difference(m2, i2);
+    const fresnel_float2 p2 = twofold_product(i2, c2); // (n_i cos_i)^2
+    const fresnel_float2 q2 = twofold_sum(E, p2); // Re q^2, q^2 = m^2 - (n_i sin_i)^2
+    const fresnel_float2 sum2 = twofold_sum(n2, i2);
+    const fresnel_float2 product = twofold_product(c2, sum2);
+    const fresnel_float2 N = twofold_difference(product, i2); // 0 at Brewster's angle where k_t = 0
+
+    // q = a + i b, which is m cos_t; lengths in units of 1 / n_i
+    const float c = n_i * cos_i;
+    const float nk = n_t * k_t; // Im q^2 / 2
+    const float size = fabsf(q2.x);
+    const float A = fmaxf(sqrtf(q2.x * q2.x + 4.0f * (nk * nk)), size); // |q|^2
+    const float larger = sqrtf((A + size) / 2.0f); // of |Re q| and |Im q|
+    const float smaller = nk / (larger > 0.0f ? larger : 1.0f);
+    const float a = q2.x < 0.0f ? smaller : larger; // Re q
+    const float b = q2.x < 0.0f ? larger : smaller; // Im q
+    const float b2 = b * b;
+
+    // s-polarised; d is a - c, exact near an index match as well
+    const float a_minus_c = a - c;
+    const float a_plus_c = a + c;
+    const float d = fmaxf(2.0f * fabsf(a_minus_c), b) < c ? (E.x + b2) / a_plus_c : a_minus_c;
+    const float D_s = a_plus_c * a_plus_c + b2;
+    const float D = D_s <= 0.0f ? 1.0f : D_s; // 0 only for equal media at cos_i = 0
+    const float N_s = d * d + b2;
+    const float R_s = N_s / D;
+
+    // p-polarised; nu is a cos_i - n_i sin_i^2, exact near Brewster's angle as well
+    const float is2 = n_i * s2;
+    const float ac = a * cos_i;
+    const float bc = b * cos_i;
+    const float bc2 = bc * bc;
+    const float difference = ac - is2;
+    const float total = ac + is2;
+    const float sum = total <= 0.0f ? 1.0f : total;
+    const float exact = (N.x + c2.x * (b2 - k2.x)) / sum;
+    const float nu = fmaxf(2.0f * fabsf(difference) - is2, 2.0f * b - n_i) < 0.0f ? exact : difference;
+    const float P = sum * sum + bc2;
+    const float R_p = R_s * ((nu * nu + bc2) / P);
+    return (fminf(R_s, 1.0f) + fminf(R_p, 1.0f)) / 2.0f;
 }
 
 static inline float conductor_precise_dir(float n_i, float n_t, float k_t, fresnel_float3 normal,
@@ -621,7 +644,8 @@ static inline float conductor_precise_dir(float n_i, float n_t, float k_t, fresn
 static inline fresnel_float3 conductor_precise_rgb(float n_i, fresnel_float3 n_t, fresnel_float3 k_t,
         float cos_i) {
     fresnel_float3 result = {conductor_precise(n_i, n_t.x, k_t.x, cos_i),
-            conductor_precise(n_i, n_t.y, k_t.y, cos_i), conductor_precise(n_i, n_t.z, k_t.z, cos_i)};
+                             conductor_precise(n_i, n_t.y, k_t.y, cos_i),
+                             conductor_precise(n_i, n_t.z, k_t.z, cos_i)};
     return result;
 }
 
@@ -632,128 +656,56 @@ static inline fresnel_float3 conductor_precise_rgb_dir(float n_i, fresnel_float3
 
 // Reflectances and transmittances of both polarisations.
 static inline fresnel_boundary conductor_precise_boundary(float n_i, float n_t, float k_t, float cos_i) {
-    const float n_t2 = n_t * n_t;
-    const float k_t2 = k_t * k_t;
-    const float t = n_t2 + (-k_t2);
-    const float t_2 = t - n_t2;
-    const float t_3 = 4097.0f * n_t;
-    const float t_4 = t_3 - (t_3 - n_t);
-    const float t_5 = n_t - t_4;
-    const float t_6 = t_4 * t_5;
-    const float t_7 = t_4 * t_4 - n_t2 + t_6 + t_6 + t_5 * t_5;
-    const float t_8 = 4097.0f * k_t;
-    const float t_9 = t_8 - (t_8 - k_t);
-    const float t_10 = k_t - t_9;
-    const float t_11 = t_9 * t_10;
-    const float t_12 = t_9 * t_9 - k_t2 + t_11 + t_11 + t_10 * t_10;
-    const float t_13 = t_7 + (-t_12);
-    const float t_14 = n_t2 - (t - t_2) + (-k_t2 - t_2) + t_13;
-    const float t_15 = t + t_14;
-    const float t_16 = t_15 - t;
-    const float t_17 = t_13 - t_7;
-    const float t_18 = t - (t_15 - t_16) + (t_14 - t_16) + (t_7 - (t_13 - t_17) + (-t_12 - t_17));
-    const float t_19 = t_15 + t_18;
-    const float n_i2 = n_i * n_i;
-    const float t_20 = t_19 + (-n_i2);
-    const float t_21 = t_20 - t_19;
-    const float t_22 = t_19 - t_15;
-    const float t_23 = t_15 - (t_19 - t_22) + (t_18 - t_22);
-    const float t_24 = 4097.0f * n_i;
-    const float t_25 = t_24 - (t_24 - n_i);
-    const float t_26 = n_i - t_25;
-    const float t_27 = t_25 * t_26;
-    const float t_28 = t_25 * t_25 - n_i2 + t_27 + t_27 + t_26 * t_26;
-    const float t_29 = t_23 + (-t_28);
-    const float t_30 = t_19 - (t_20 - t_21) + (-n_i2 - t_21) + t_29;
-    const float t_31 = t_20 + t_30;
-    const float t_32 = t_31 - t_20;
-    const float t_33 = t_29 - t_23;
-    const float t_34 = t_20 - (t_31 - t_32) + (t_30 - t_32) + (t_23 - (t_29 - t_33) + (-t_28 - t_33));
-    const float t_35 = t_31 + t_34;
-    const float cos2 = cos_i * cos_i;
-    const float t_36 = n_i2 * cos2;
-    const float t_37 = 4097.0f * n_i2;
-    const float t_38 = t_37 - (t_37 - n_i2);
-    const float t_39 = 4097.0f * cos2;
-    const float t_40 = t_39 - (t_39 - cos2);
-    const float t_41 = cos2 - t_40;
-    const float t_42 = n_i2 - t_38;
-    const float t_43 = 4097.0f * cos_i;
-    const float t_44 = t_43 - (t_43 - cos_i);
-    const float t_45 = cos_i - t_44;
-    const float t_46 = t_44 * t_45;
-    const float t_47 = t_44 * t_44 - cos2 + t_46 + t_46 + t_45 * t_45;
-    const float t_48 = t_38 * t_40 - t_36 + t_38 * t_41 + t_42 * t_40 + t_42 * t_41 +
-            (n_i2 * t_47 + t_28 * cos2);
-    const float t_49 = t_36 + t_48;
-    const float t_50 = t_35 + t_49;
-    const float t_51 = t_50 - t_35;
-    const float t_52 = t_35 - t_31;
-    const float t_53 = t_31 - (t_35 - t_52) + (t_34 - t_52);
-    const float t_54 = t_49 - t_36;
-    const float t_55 = t_36 - (t_49 - t_54) + (t_48 - t_54);
-    const float t_56 = t_53 + t_55;
-    const float t_57 = t_35 - (t_50 - t_51) + (t_49 - t_51) + t_56;
-    const float t_58 = t_50 + t_57;
-    const float t_59 = t_58 - t_50;
-    const float t_60 = t_56 - t_53;
-    const float t_61 = t_58 + (t_50 - (t_58 - t_59) + (t_57 - t_59) + (t_53 - (t_56 - t_60) + (t_55 - t_60)));
-    const float t_62 = n_t * k_t;
-    const float t_63 = fabsf(t_61);
-    const float t_64 = sqrtf((fmaxf(sqrtf(t_61 * t_61 + 4.0f * (t_62 * t_62)), t_63) + t_63) / 2.0f);
-    const float t_65 = t_62 / (t_64 > 0.0f ? t_64 : 1.0f);
-    const float t_66 = t_61 < 0.0f ? t_65 : t_64;
-    const float t_67 = n_i * cos_i;
-    const float t_68 = t_66 - t_67;
-    const float t_69 = t_61 < 0.0f ? t_64 : t_65;
-    const float t_70 = t_69 * t_69;
-    const float t_71 = t_66 + t_67;
-    const float t_72 = fmaxf(2.0f * fabsf(t_68), t_69) < t_67 ? (t_35 + t_70) / t_71 : t_68;
-    const float t_73 = t_72 * t_72 + t_70;
-    const float t_74 = t_71 * t_71 + t_70;
-    const float t_75 = t_74 <= 0.0f ? 1.0f : t_74;
-    const float t_76 = t_73 / t_75;
-    const float t_77 = t_66 * cos_i;
-    const float t_78 = n_i * ((1.0f - cos_i) * (1.0f + cos_i));
-    const float t_79 = t_77 - t_78;
-    const float t_80 = n_t2 + n_i2;
-    const float t_81 = t_80 - n_t2;
-    const float t_82 = t_7 + t_28;
-    const float t_83 = n_t2 - (t_80 - t_81) + (n_i2 - t_81) + t_82;
-    const float t_84 = t_80 + t_83;
-    const float t_85 = t_84 - t_80;
-    const float t_86 = t_82 - t_7;
-    const float t_87 = t_80 - (t_84 - t_85) + (t_83 - t_85) + (t_7 - (t_82 - t_86) + (t_28 - t_86));
-    const float t_88 = t_84 + t_87;
-    const float t_89 = cos2 * t_88;
-    const float t_90 = 4097.0f * t_88;
-    const float t_91 = t_90 - (t_90 - t_88);
-    const float t_92 = t_88 - t_91;
-    const float t_93 = t_88 - t_84;
-    const float t_94 = t_40 * t_91 - t_89 + t_40 * t_92 + t_41 * t_91 + t_41 * t_92 +
-            (cos2 * (t_84 - (t_88 - t_93) + (t_87 - t_93)) + t_47 * t_88);
-    const float t_95 = t_89 + t_94;
-    const float t_96 = t_95 + (-n_i2);
-    const float t_97 = t_96 - t_95;
-    const float t_98 = t_95 - t_89;
-    const float t_99 = t_89 - (t_95 - t_98) + (t_94 - t_98);
-    const float t_100 = t_99 + (-t_28);
-    const float t_101 = t_95 - (t_96 - t_97) + (-n_i2 - t_97) + t_100;
-    const float t_102 = t_96 + t_101;
-    const float t_103 = t_102 - t_96;
-    const float t_104 = t_100 - t_99;
-    const float t_105 = t_77 + t_78;
-    const float t_106 = t_105 <= 0.0f ? 1.0f : t_105;
-    const float t_107 = fmaxf(2.0f * fabsf(t_79) - t_78, 2.0f * t_69 - n_i) < 0.0f ?
-            (t_102 + (t_96 - (t_102 - t_103) + (t_101 - t_103) +
-            (t_99 - (t_100 - t_104) + (-t_28 - t_104))) + cos2 * (t_70 - k_t2)) / t_106 : t_79;
-    const float t_108 = t_69 * cos_i;
-    const float t_109 = t_108 * t_108;
-    const float t_110 = t_106 * t_106 + t_109;
-    const float t_111 = t_73 <= 0.0f ? 1.0f : 4.0f * (t_66 * t_67) / t_75;
-    fresnel_boundary result =
-            {fminf(t_76, 1.0f), fminf(t_76 * ((t_107 * t_107 + t_109) / t_110), 1.0f), fminf(t_111, 1.0f),
-            fminf(t_111 + t_76 * (4.0f * (t_77 * t_78) / t_110), 1.0f)};
+    const float s2 = (1.0f - cos_i) * (1.0f + cos_i);
+
+    // what cancels, in twice the digits
+    const fresnel_float2 n2 = two_product(n_t, n_t);
+    const fresnel_float2 k2 = two_product(k_t, k_t);
+    const fresnel_float2 i2 = two_product(n_i, n_i);
+    const fresnel_float2 c2 = two_product(cos_i, cos_i);
+    const fresnel_float2 m2 = twofold_difference(n2, k2); // Re m^2, m = n_t + i k_t
+    const fresnel_float2 E = twofold_difference(m2, i2);
+    const fresnel_float2 p2 = twofold_product(i2, c2); // (n_i cos_i)^2
+    const fresnel_float2 q2 = twofold_sum(E, p2); // Re q^2, q^2 = m^2 - (n_i sin_i)^2
+    const fresnel_float2 sum2 = twofold_sum(n2, i2);
+    const fresnel_float2 product = twofold_product(c2, sum2);
+    const fresnel_float2 N = twofold_difference(product, i2); // 0 at Brewster's angle where k_t = 0
+
+    // q = a + i b, which is m cos_t; lengths in units of 1 / n_i
+    const float c = n_i * cos_i;
+    const float nk = n_t * k_t; // Im q^2 / 2
+    const float size = fabsf(q2.x);
+    const float A = fmaxf(sqrtf(q2.x * q2.x + 4.0f * (nk * nk)), size); // |q|^2
+    const float larger = sqrtf((A + size) / 2.0f); // of |Re q| and |Im q|
+    const float smaller = nk / (larger > 0.0f ? larger : 1.0f);
+    const float a = q2.x < 0.0f ? smaller : larger; // Re q
+    const float b = q2.x < 0.0f ? larger : smaller; // Im q
+    const float b2 = b * b;
+
+    // s-polarised; d is a - c, exact near an index match as well
+    const float a_minus_c = a - c;
+    const float a_plus_c = a + c;
+    const float d = fmaxf(2.0f * fabsf(a_minus_c), b) < c ? (E.x + b2) / a_plus_c : a_minus_c;
+    const float D_s = a_plus_c * a_plus_c + b2;
+    const float D = D_s <= 0.0f ? 1.0f : D_s; // 0 only for equal media at cos_i = 0
+    const float N_s = d * d + b2;
+    const float R_s = N_s / D;
+    const float T_s = N_s <= 0.0f ? 1.0f : 4.0f * (a * c) / D;
+
+    // p-polarised; nu is a cos_i - n_i sin_i^2, exact near Brewster's angle as well
+    const float is2 = n_i * s2;
+    const float ac = a * cos_i;
+    const float bc = b * cos_i;
+    const float bc2 = bc * bc;
+    const float difference = ac - is2;
+    const float total = ac + is2;
+    const float sum = total <= 0.0f ? 1.0f : total;
+    const float exact = (N.x + c2.x * (b2 - k2.x)) / sum;
+    const float nu = fmaxf(2.0f * fabsf(difference) - is2, 2.0f * b - n_i) < 0.0f ? exact : difference;
+    const float P = sum * sum + bc2;
+    const float R_p = R_s * ((nu * nu + bc2) / P);
+    const float T_p = T_s + R_s * (4.0f * (ac * is2) / P);
+    fresnel_boundary result = {fminf(R_s, 1.0f), fminf(R_p, 1.0f), fminf(T_s, 1.0f), fminf(T_p, 1.0f)};
     return result;
 }
 
@@ -765,13 +717,13 @@ static inline fresnel_boundary conductor_precise_boundary(float n_i, float n_t, 
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0824, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0824, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    7 operations
 // source  Schlick 1994, An Inexpensive BRDF Model for Physically-based Rendering
 static inline float schlick(float f0, float cos_i) {
-    const float m = 1.0f - cos_i;
-    const float m2 = m * m;
-    return f0 + (1.0f - f0) * (m2 * m2 * m);
+    const float x = 1.0f - cos_i;
+    const float x2 = x * x;
+    return f0 + (1.0f - f0) * (x2 * x2 * x);
 }
 
 static inline float schlick_dir(float f0, fresnel_float3 normal, fresnel_float3 direction) {
@@ -796,13 +748,13 @@ static inline fresnel_float3 schlick_rgb_dir(fresnel_float3 f0, fresnel_float3 n
 // f0      reflectance at normal incidence, [0, 1]
 // f90     reflectance at grazing incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0824, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0824, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    7 operations
 // source  Schlick 1994; Real-Time Rendering, 4th ed., eq. 9.18
 static inline float schlick_f90(float f0, float f90, float cos_i) {
-    const float m = 1.0f - cos_i;
-    const float m2 = m * m;
-    return f0 + (f90 - f0) * (m2 * m2 * m);
+    const float x = 1.0f - cos_i;
+    const float x2 = x * x;
+    return f0 + (f90 - f0) * (x2 * x2 * x);
 }
 
 static inline float schlick_f90_dir(float f0, float f90, fresnel_float3 normal, fresnel_float3 direction) {
@@ -811,8 +763,9 @@ static inline float schlick_f90_dir(float f0, float f90, fresnel_float3 normal, 
 
 // The same for three channels, which share the angle.
 static inline fresnel_float3 schlick_f90_rgb(fresnel_float3 f0, fresnel_float3 f90, float cos_i) {
-    fresnel_float3 result = {schlick_f90(f0.x, f90.x, cos_i), schlick_f90(f0.y, f90.y, cos_i),
-            schlick_f90(f0.z, f90.z, cos_i)};
+    fresnel_float3 result = {schlick_f90(f0.x, f90.x, cos_i),
+                             schlick_f90(f0.y, f90.y, cos_i),
+                             schlick_f90(f0.z, f90.z, cos_i)};
     return result;
 }
 
@@ -829,11 +782,12 @@ static inline fresnel_float3 schlick_f90_rgb_dir(fresnel_float3 f0, fresnel_floa
 // f90     reflectance at grazing incidence, [0, 1]
 // power   sharpness of the rise, [0.1, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.123, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.123, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    13 operations
 // source  Real-Time Rendering, 4th ed., eq. 9.18
 static inline float schlick_power(float f0, float f90, float power, float cos_i) {
-    return f0 + (f90 - f0) * powf(1.0f - cos_i, power);
+    const float rise = f90 - f0;
+    return f0 + rise * powf(1.0f - cos_i, power);
 }
 
 static inline float schlick_power_dir(float f0, float f90, float power, fresnel_float3 normal,
@@ -845,7 +799,8 @@ static inline float schlick_power_dir(float f0, float f90, float power, fresnel_
 static inline fresnel_float3 schlick_power_rgb(fresnel_float3 f0, fresnel_float3 f90, fresnel_float3 power,
         float cos_i) {
     fresnel_float3 result = {schlick_power(f0.x, f90.x, power.x, cos_i),
-            schlick_power(f0.y, f90.y, power.y, cos_i), schlick_power(f0.z, f90.z, power.z, cos_i)};
+                             schlick_power(f0.y, f90.y, power.y, cos_i),
+                             schlick_power(f0.z, f90.z, power.z, cos_i)};
     return result;
 }
 
@@ -861,16 +816,16 @@ static inline fresnel_float3 schlick_power_rgb_dir(fresnel_float3 f0, fresnel_fl
 // n       index relative to the medium in front, [0.001, 1000]
 // k       its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.255, certified: n in [0.1, 4], k in [1, 8]
+// error   at most 0.255, certified for n in [0.1, 4], k in [1, 8]
 // cost    19 operations
 // source  Lazanyi and Szirmay-Kalos 2005, Fresnel Term Approximations for Metals
 static inline float schlick_nk(float n, float k, float cos_i) {
-    const float m = 1.0f - cos_i;
+    const float x = 1.0f - cos_i;
     const float n_minus_1 = n - 1.0f;
     const float k2 = k * k;
-    const float m2 = m * m;
+    const float x2 = x * x;
     const float n_plus_1 = n + 1.0f;
-    return fminf((n_minus_1 * n_minus_1 + k2 + 4.0f * n * (m2 * m2 * m)) / (n_plus_1 * n_plus_1 + k2), 1.0f);
+    return fminf((n_minus_1 * n_minus_1 + k2 + 4.0f * n * (x2 * x2 * x)) / (n_plus_1 * n_plus_1 + k2), 1.0f);
 }
 
 static inline float schlick_nk_dir(float n, float k, fresnel_float3 normal, fresnel_float3 direction) {
@@ -879,8 +834,9 @@ static inline float schlick_nk_dir(float n, float k, fresnel_float3 normal, fres
 
 // The same for three channels, which share the angle.
 static inline fresnel_float3 schlick_nk_rgb(fresnel_float3 n, fresnel_float3 k, float cos_i) {
-    fresnel_float3 result = {schlick_nk(n.x, k.x, cos_i), schlick_nk(n.y, k.y, cos_i),
-            schlick_nk(n.z, k.z, cos_i)};
+    fresnel_float3 result = {schlick_nk(n.x, k.x, cos_i),
+                             schlick_nk(n.y, k.y, cos_i),
+                             schlick_nk(n.z, k.z, cos_i)};
     return result;
 }
 
@@ -895,19 +851,19 @@ static inline fresnel_float3 schlick_nk_rgb_dir(fresnel_float3 n, fresnel_float3
 //
 // eta     n_t / n_i, [0.01, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0824, certified: 1 / eta in [1.3, 2.5], from inside
+// error   at most 0.0824, certified for 1 / eta in [1.3, 2.5], from inside
 // cost    28 operations
 // source  Lagarde 2013, Memo on Fresnel equations
 static inline float schlick_internal(float eta, float cos_i) {
     const float eta_minus_1 = eta - 1.0f;
     const float eta_plus_1 = eta + 1.0f;
-    const float t = eta_minus_1 / eta_plus_1;
-    const float f0 = t * t;
+    const float r = eta_minus_1 / eta_plus_1; // amplitude
+    const float f0 = r * r;
     const float g2 = eta_minus_1 * eta_plus_1 + cos_i * cos_i;
     const float cos_t = g2 <= 0.0f ? 0.0f : fminf(sqrtf(g2) / eta, 1.0f);
-    const float m = 1.0f - cos_t;
-    const float m2 = m * m;
-    return f0 + (1.0f - f0) * (m2 * m2 * m);
+    const float x = 1.0f - cos_t;
+    const float x2 = x * x;
+    return f0 + (1.0f - f0) * (x2 * x2 * x);
 }
 
 static inline float schlick_internal_dir(float eta, fresnel_float3 normal, fresnel_float3 direction) {
@@ -916,8 +872,9 @@ static inline float schlick_internal_dir(float eta, fresnel_float3 normal, fresn
 
 // The same for three channels, which share the angle.
 static inline fresnel_float3 schlick_internal_rgb(fresnel_float3 eta, float cos_i) {
-    fresnel_float3 result = {schlick_internal(eta.x, cos_i), schlick_internal(eta.y, cos_i),
-            schlick_internal(eta.z, cos_i)};
+    fresnel_float3 result = {schlick_internal(eta.x, cos_i),
+                             schlick_internal(eta.y, cos_i),
+                             schlick_internal(eta.z, cos_i)};
     return result;
 }
 
@@ -932,7 +889,7 @@ static inline fresnel_float3 schlick_internal_rgb_dir(fresnel_float3 eta, fresne
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0846, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0846, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    10 operations
 // source  Lagarde 2012, Spherical Gaussian approximation for Blinn-Phong, Phong and Fresnel
 static inline float spherical_gaussian(float f0, float cos_i) {
@@ -946,8 +903,9 @@ static inline float spherical_gaussian_dir(float f0, fresnel_float3 normal, fres
 
 // The same for three channels, which share the angle.
 static inline fresnel_float3 spherical_gaussian_rgb(fresnel_float3 f0, float cos_i) {
-    fresnel_float3 result = {spherical_gaussian(f0.x, cos_i), spherical_gaussian(f0.y, cos_i),
-            spherical_gaussian(f0.z, cos_i)};
+    fresnel_float3 result = {spherical_gaussian(f0.x, cos_i),
+                             spherical_gaussian(f0.y, cos_i),
+                             spherical_gaussian(f0.z, cos_i)};
     return result;
 }
 
@@ -962,13 +920,13 @@ static inline fresnel_float3 spherical_gaussian_rgb_dir(fresnel_float3 f0, fresn
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0708, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0708, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    6 operations
 // source  photometric.io, Improving Schlick's Approximation
 static inline float photometric(float f0, float cos_i) {
-    const float m = 1.0f - cos_i;
-    const float m2 = m * m;
-    return f0 + (m - f0) * (m2 * m2);
+    const float x = 1.0f - cos_i;
+    const float x2 = x * x;
+    return f0 + (x - f0) * (x2 * x2);
 }
 
 static inline float photometric_dir(float f0, fresnel_float3 normal, fresnel_float3 direction) {
@@ -992,14 +950,14 @@ static inline fresnel_float3 photometric_rgb_dir(fresnel_float3 f0, fresnel_floa
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0363, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0363, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    8 operations
 // source  this library
 static inline float powers_4_8(float f0, float cos_i) {
-    const float one_minus_cos_i = 1.0f - cos_i;
-    const float t = one_minus_cos_i * one_minus_cos_i;
-    const float m4 = t * t;
-    return f0 + m4 * (0.55f - f0 + 0.45f * m4);
+    const float x = 1.0f - cos_i;
+    const float x2 = x * x;
+    const float x4 = x2 * x2;
+    return f0 + x4 * (0.55f - f0 + 0.45f * x4);
 }
 
 static inline float powers_4_8_dir(float f0, fresnel_float3 normal, fresnel_float3 direction) {
@@ -1023,14 +981,14 @@ static inline fresnel_float3 powers_4_8_rgb_dir(fresnel_float3 f0, fresnel_float
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0328, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0328, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    13 operations
 // source  this library
 static inline float powers_3_9(float f0, float cos_i) {
     const float a = fmaxf(0.46f, f0);
-    const float m = 1.0f - cos_i;
-    const float m3 = m * m * m;
-    return fminf(fmaxf(f0 + m3 * (a - f0 + (1.0f - a) * (m3 * m3)), 0.0f), 1.0f);
+    const float x = 1.0f - cos_i;
+    const float x3 = x * x * x;
+    return fminf(fmaxf(f0 + x3 * (a - f0 + (1.0f - a) * (x3 * x3)), 0.0f), 1.0f);
 }
 
 static inline float powers_3_9_dir(float f0, fresnel_float3 normal, fresnel_float3 direction) {
@@ -1055,16 +1013,16 @@ static inline fresnel_float3 powers_3_9_rgb_dir(fresnel_float3 f0, fresnel_float
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.00713, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.00713, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    27 operations
 // source  this library
 static inline float powers_3_6_9(float f0, float cos_i) {
-    const float s = sqrtf(f0 + 8.271806e-25f);
+    const float s = sqrtf(f0 + 8.271806e-25f); // 2^-80 keeps the slope at f0 = 0 finite
     const float p = 2.90623f * s - 0.02379f - 4.78491f * f0;
     const float q = 0.43137f - 0.58931f * s - 2.31299f * f0;
     const float r = 1.0f - f0 - p - q;
-    const float m = 1.0f - cos_i;
-    const float y = m * m * m;
+    const float x = 1.0f - cos_i;
+    const float y = x * x * x;
     return fminf(fmaxf(f0 + y * (p + y * (q + y * r)), 0.0f), 1.0f);
 }
 
@@ -1088,7 +1046,7 @@ static inline fresnel_float3 powers_3_6_9_rgb_dir(fresnel_float3 f0, fresnel_flo
 //   F = 1 - cos_i
 //
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.542, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.542, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    1 operations
 // source  Wloka 2002, Fresnel Reflection, fig. 4
 static inline float one_minus_cos(float cos_i) {
@@ -1105,7 +1063,7 @@ static inline float one_minus_cos_dir(fresnel_float3 normal, fresnel_float3 dire
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.983, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.983, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    0 operations
 // source  no Fresnel effect
 static inline float constant(float f0, float cos_i) {
@@ -1136,19 +1094,19 @@ static inline fresnel_float3 constant_rgb_dir(fresnel_float3 f0, fresnel_float3 
 // n       index relative to the medium in front, [0.001, 1000]
 // k       its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0638, certified: n in [0.1, 4], k in [1, 8]
+// error   at most 0.0638, certified for n in [0.1, 4], k in [1, 8]
 // cost    26 operations
 // source  Pharr and Humphreys, Physically Based Rendering; Lagarde 2013
 static inline float air_conductor(float n, float k, float cos_i) {
     const float k2 = k * k;
-    const float t = n - cos_i;
-    const float t_2 = n + cos_i;
-    const float R_s = (t * t + k2) / (t_2 * t_2 + k2);
-    const float t_3 = n * cos_i;
-    const float t_3_minus_1 = t_3 - 1.0f;
-    const float t_4 = k2 * (cos_i * cos_i);
-    const float t_3_plus_1 = t_3 + 1.0f;
-    const float R_p = (t_3_minus_1 * t_3_minus_1 + t_4) / (t_3_plus_1 * t_3_plus_1 + t_4);
+    const float n_minus_c = n - cos_i;
+    const float n_plus_c = n + cos_i;
+    const float R_s = (n_minus_c * n_minus_c + k2) / (n_plus_c * n_plus_c + k2);
+    const float nc = n * cos_i;
+    const float kc2 = k2 * (cos_i * cos_i);
+    const float nc_minus_1 = nc - 1.0f;
+    const float nc_plus_1 = nc + 1.0f;
+    const float R_p = (nc_minus_1 * nc_minus_1 + kc2) / (nc_plus_1 * nc_plus_1 + kc2);
     return (R_s + R_p) / 2.0f;
 }
 
@@ -1158,8 +1116,9 @@ static inline float air_conductor_dir(float n, float k, fresnel_float3 normal, f
 
 // The same for three channels, which share the angle.
 static inline fresnel_float3 air_conductor_rgb(fresnel_float3 n, fresnel_float3 k, float cos_i) {
-    fresnel_float3 result = {air_conductor(n.x, k.x, cos_i), air_conductor(n.y, k.y, cos_i),
-            air_conductor(n.z, k.z, cos_i)};
+    fresnel_float3 result = {air_conductor(n.x, k.x, cos_i),
+                             air_conductor(n.y, k.y, cos_i),
+                             air_conductor(n.z, k.z, cos_i)};
     return result;
 }
 
@@ -1177,18 +1136,18 @@ static inline fresnel_float3 air_conductor_rgb_dir(fresnel_float3 n, fresnel_flo
 // a       depth of the dip, about 2 n, [0, 2000]
 // alpha   sharpness of the dip, [0.1, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.045, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.045, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    33 operations
 // source  Lazanyi and Szirmay-Kalos 2005, Fresnel Term Approximations for Metals
 static inline float lazanyi(float n, float k, float a, float alpha, float cos_i) {
-    const float m = 1.0f - cos_i;
+    const float x = 1.0f - cos_i;
     const float n_minus_1 = n - 1.0f;
     const float k2 = k * k;
-    const float m2 = m * m;
+    const float x2 = x * x;
     const float n_plus_1 = n + 1.0f;
-    return fminf(fmaxf(fminf((n_minus_1 * n_minus_1 + k2 +
-            4.0f * n * (m2 * m2 * m)) / (n_plus_1 * n_plus_1 + k2), 1.0f) - a * cos_i * powf(m, alpha),
-            0.0f), 1.0f);
+    const float F = fminf((n_minus_1 * n_minus_1 + k2 + 4.0f * n * (x2 * x2 * x)) / (n_plus_1 * n_plus_1 +
+            k2), 1.0f);
+    return fminf(fmaxf(F - a * cos_i * powf(x, alpha), 0.0f), 1.0f);
 }
 
 static inline float lazanyi_dir(float n, float k, float a, float alpha, fresnel_float3 normal,
@@ -1199,8 +1158,9 @@ static inline float lazanyi_dir(float n, float k, float a, float alpha, fresnel_
 // The same for three channels, which share the angle.
 static inline fresnel_float3 lazanyi_rgb(fresnel_float3 n, fresnel_float3 k, fresnel_float3 a,
         fresnel_float3 alpha, float cos_i) {
-    fresnel_float3 result = {lazanyi(n.x, k.x, a.x, alpha.x, cos_i), lazanyi(n.y, k.y, a.y, alpha.y, cos_i),
-            lazanyi(n.z, k.z, a.z, alpha.z, cos_i)};
+    fresnel_float3 result = {lazanyi(n.x, k.x, a.x, alpha.x, cos_i),
+                             lazanyi(n.y, k.y, a.y, alpha.y, cos_i),
+                             lazanyi(n.z, k.z, a.z, alpha.z, cos_i)};
     return result;
 }
 
@@ -1216,22 +1176,24 @@ static inline fresnel_float3 lazanyi_rgb_dir(fresnel_float3 n, fresnel_float3 k,
 // r       reflectance at normal incidence, [0, 1]
 // g       edge tint, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 1e-13, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 1e-13, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    99 operations
 // source  Gulbrandsen 2014, Artist Friendly Metallic Fresnel
 static inline float gulbrandsen(float r, float g, float cos_i) {
-    const float f0 = fminf(r, 0.9999f) + 8.271806e-25f;
-    const float t = 1.0f + sqrtf(f0);
-    const float t_2 = t * t;
+    const float f0 = fminf(r, 0.9999f) + 8.271806e-25f; // 2^-80 keeps its root's slope finite
+    const float p = 1.0f + sqrtf(f0);
+    const float p2 = p * p;
     const float one_minus_f0 = 1.0f - f0;
-    const float n_max = t_2 / one_minus_f0;
+    const float n_max = p2 / one_minus_f0;
     const float n_min = one_minus_f0 / (1.0f + f0);
     const float n = n_max * (1.0f - g) + n_min * g;
-    const float k = sqrtf(fmaxf((n_max - n) * (n - one_minus_f0 / t_2), 0.0f) + 8.271806e-25f);
+    const float k = sqrtf(fmaxf((n_max - n) * (n - one_minus_f0 / p2), 0.0f) + 8.271806e-25f);
     const float c2 = cos_i * cos_i;
     const float sin2 = 1.0f - c2;
     const float s4 = sin2 * sin2;
-    const float E = (n - 1.0f) * (n + 1.0f) - k * k; // Re m^2 - 1
+
+    // Snell
+    const float E = (n - 1.0f) * (n + 1.0f) - k * k; // Re m^2 - n_i^2, m the complex index
     const float Z = 2.0f * (n * k); // Im m^2
     const float Z2 = Z * Z;
     const float t0 = E + c2; // q^2 = t0 + i Z
@@ -1239,18 +1201,22 @@ static inline float gulbrandsen(float r, float g, float cos_i) {
     const float S = fmaxf(A + fabsf(t0), 8.881784e-16f); // 0 only at the critical angle
     const float u = sqrtf(2.0f * S); // twice the larger of Re q and Im q
     const float a = t0 <= 0.0f ? Z : S; // u Re q
+
+    // s-polarised, across the plane of incidence
     const float h = 2.0f * (a * cos_i);
-    const float F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
+    const float F = (E * E + Z2) * S; // S |c - q|^2 |c + q|^2
     const float G_s = (A + c2) * u + h;
-    const float D_s = fmaxf(F + h * G_s, 1.1754944e-38f); // |c + q|^4; 0 only for equal media at cos_i = 0
+    const float D_s = fmaxf(F + h * G_s, 1.1754944e-38f); // S |c + q|^4; 0 only for equal media at cos_i = 0
     const float R_s = F / D_s;
+
+    // p-polarised, along it
     const float h_p = h * sin2;
     const float N = t0 * c2 - s4;
     const float M = Z * c2;
     const float M2 = M * M + 8.4703295e-22f; // above 0, so that D_p is
-    const float B = (N * N + M2) * S; // |q c - s^2|^2 |q c + s^2|^2
+    const float B = (N * N + M2) * S; // S |q c - s^2|^2 |q c + s^2|^2
     const float G_p = (A * c2 + s4) * u + h_p;
-    const float D_p = B + h_p * G_p; // |q c + s^2|^4
+    const float D_p = B + h_p * G_p; // S |q c + s^2|^4
     const float R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0f;
 }
@@ -1261,8 +1227,9 @@ static inline float gulbrandsen_dir(float r, float g, fresnel_float3 normal, fre
 
 // The same for three channels, which share the angle.
 static inline fresnel_float3 gulbrandsen_rgb(fresnel_float3 r, fresnel_float3 g, float cos_i) {
-    fresnel_float3 result = {gulbrandsen(r.x, g.x, cos_i), gulbrandsen(r.y, g.y, cos_i),
-            gulbrandsen(r.z, g.z, cos_i)};
+    fresnel_float3 result = {gulbrandsen(r.x, g.x, cos_i),
+                             gulbrandsen(r.y, g.y, cos_i),
+                             gulbrandsen(r.z, g.z, cos_i)};
     return result;
 }
 
@@ -1278,17 +1245,17 @@ static inline fresnel_float3 gulbrandsen_rgb_dir(fresnel_float3 r, fresnel_float
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0517, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0517, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    17 operations
 // source  Hoffman 2019, Fresnel Equations Considered Harmful
 static inline float f82(float f0, float f82_, float cos_i) {
     const float one_minus_f0 = 1.0f - f0;
-    const float at_82 = f0 + one_minus_f0 * 0.46266437f;
-    const float b = (at_82 - f82_) * 17.651384f;
-    const float m = 1.0f - cos_i;
-    const float m2 = m * m;
-    const float m5 = m2 * m2 * m;
-    return fminf(fmaxf(f0 + one_minus_f0 * m5 - b * cos_i * (m5 * m), 0.0f), 1.0f);
+    const float at_82 = f0 + one_minus_f0 * 0.46266437f; // Schlick's curve at cos_i = 1/7: x^5 is (6/7)^5
+    const float b = (at_82 - f82_) * 17.651384f; // divided by c x^6 at cos_i = 1/7
+    const float x = 1.0f - cos_i;
+    const float x2 = x * x;
+    const float x5 = x2 * x2 * x;
+    return fminf(fmaxf(f0 + one_minus_f0 * x5 - b * cos_i * (x5 * x), 0.0f), 1.0f);
 }
 
 static inline float f82_dir(float f0, float f82_, fresnel_float3 normal, fresnel_float3 direction) {
@@ -1313,17 +1280,17 @@ static inline fresnel_float3 f82_rgb_dir(fresnel_float3 f0, fresnel_float3 f82_,
 // f0      reflectance at normal incidence, [0, 1]
 // tint    f82 over that of Schlick, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0517, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0517, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    18 operations
 // source  Kutz, Hasan and Edmondson 2021, Novel aspects of the Adobe Standard Material
 static inline float f82_tint(float f0, float tint, float cos_i) {
     const float one_minus_f0 = 1.0f - f0;
-    const float at_82 = f0 + one_minus_f0 * 0.46266437f;
-    const float b = at_82 * (1.0f - tint) * 17.651384f;
-    const float m = 1.0f - cos_i;
-    const float m2 = m * m;
-    const float m5 = m2 * m2 * m;
-    return fminf(fmaxf(f0 + one_minus_f0 * m5 - b * cos_i * (m5 * m), 0.0f), 1.0f);
+    const float at_82 = f0 + one_minus_f0 * 0.46266437f; // Schlick's curve at cos_i = 1/7: x^5 is (6/7)^5
+    const float b = at_82 * (1.0f - tint) * 17.651384f; // divided by c x^6 at cos_i = 1/7
+    const float x = 1.0f - cos_i;
+    const float x2 = x * x;
+    const float x5 = x2 * x2 * x;
+    return fminf(fmaxf(f0 + one_minus_f0 * x5 - b * cos_i * (x5 * x), 0.0f), 1.0f);
 }
 
 static inline float f82_tint_dir(float f0, float tint, fresnel_float3 normal, fresnel_float3 direction) {
@@ -1332,8 +1299,9 @@ static inline float f82_tint_dir(float f0, float tint, fresnel_float3 normal, fr
 
 // The same for three channels, which share the angle.
 static inline fresnel_float3 f82_tint_rgb(fresnel_float3 f0, fresnel_float3 tint, float cos_i) {
-    fresnel_float3 result = {f82_tint(f0.x, tint.x, cos_i), f82_tint(f0.y, tint.y, cos_i),
-            f82_tint(f0.z, tint.z, cos_i)};
+    fresnel_float3 result = {f82_tint(f0.x, tint.x, cos_i),
+                             f82_tint(f0.y, tint.y, cos_i),
+                             f82_tint(f0.z, tint.z, cos_i)};
     return result;
 }
 
@@ -1351,16 +1319,16 @@ static inline fresnel_float3 f82_tint_rgb_dir(fresnel_float3 f0, fresnel_float3 
 // f90     reflectance at grazing incidence, [0, 1]
 // power   sharpness of the rise, [0.1, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0184, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0184, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    34 operations
 // source  Hoffman 2019, Fresnel Equations Considered Harmful; MaterialX
 static inline float hoffman(float f0, float f82, float f90, float power, float cos_i) {
-    const float t = f90 - f0;
-    const float at_82 = f0 + t * powf(0.85714287f, power);
-    const float b = (at_82 - f82) * 17.651384f;
-    const float m = 1.0f - cos_i;
-    const float m2 = m * m;
-    return fminf(fmaxf(f0 + t * powf(m, power) - b * cos_i * (m2 * m2 * m2), 0.0f), 1.0f);
+    const float rise = f90 - f0;
+    const float at_82 = f0 + rise * powf(0.85714287f, power); // at cos_i = 1/7: x is 6/7
+    const float b = (at_82 - f82) * 17.651384f; // divided by c x^6 at cos_i = 1/7
+    const float x = 1.0f - cos_i;
+    const float x2 = x * x;
+    return fminf(fmaxf(f0 + rise * powf(x, power) - b * cos_i * (x2 * x2 * x2), 0.0f), 1.0f);
 }
 
 static inline float hoffman_dir(float f0, float f82, float f90, float power, fresnel_float3 normal,
@@ -1372,7 +1340,8 @@ static inline float hoffman_dir(float f0, float f82, float f90, float power, fre
 static inline fresnel_float3 hoffman_rgb(fresnel_float3 f0, fresnel_float3 f82, fresnel_float3 f90,
         fresnel_float3 power, float cos_i) {
     fresnel_float3 result = {hoffman(f0.x, f82.x, f90.x, power.x, cos_i),
-            hoffman(f0.y, f82.y, f90.y, power.y, cos_i), hoffman(f0.z, f82.z, f90.z, power.z, cos_i)};
+                             hoffman(f0.y, f82.y, f90.y, power.y, cos_i),
+                             hoffman(f0.z, f82.z, f90.z, power.z, cos_i)};
     return result;
 }
 
@@ -1388,17 +1357,17 @@ static inline fresnel_float3 hoffman_rgb_dir(fresnel_float3 f0, fresnel_float3 f
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0342, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0342, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    16 operations
 // source  this library
 static inline float powers_4_12(float f0, float f82, float cos_i) {
     const float one_minus_f0 = 1.0f - f0;
-    const float rise = one_minus_f0 - (f82 - f0) * 1.8526235f;
-    const float q = rise * 1.4111481f;
-    const float one_minus_cos_i = 1.0f - cos_i;
-    const float t = one_minus_cos_i * one_minus_cos_i;
-    const float m4 = t * t;
-    return fminf(fmaxf(f0 + m4 * (one_minus_f0 - q + q * (m4 * m4)), 0.0f), 1.0f);
+    const float rise = one_minus_f0 - (f82 - f0) * 1.8526235f; // 1 / x^4 at cos_i = 1/7: (7/6)^4
+    const float q = rise * 1.4111481f; // 1 / (1 - x^8) there
+    const float x = 1.0f - cos_i;
+    const float x2 = x * x;
+    const float x4 = x2 * x2;
+    return fminf(fmaxf(f0 + x4 * (one_minus_f0 - q + q * (x4 * x4)), 0.0f), 1.0f);
 }
 
 static inline float powers_4_12_dir(float f0, float f82, fresnel_float3 normal, fresnel_float3 direction) {
@@ -1407,8 +1376,9 @@ static inline float powers_4_12_dir(float f0, float f82, fresnel_float3 normal, 
 
 // The same for three channels, which share the angle.
 static inline fresnel_float3 powers_4_12_rgb(fresnel_float3 f0, fresnel_float3 f82, float cos_i) {
-    fresnel_float3 result = {powers_4_12(f0.x, f82.x, cos_i), powers_4_12(f0.y, f82.y, cos_i),
-            powers_4_12(f0.z, f82.z, cos_i)};
+    fresnel_float3 result = {powers_4_12(f0.x, f82.x, cos_i),
+                             powers_4_12(f0.y, f82.y, cos_i),
+                             powers_4_12(f0.z, f82.z, cos_i)};
     return result;
 }
 
@@ -1424,7 +1394,7 @@ static inline fresnel_float3 powers_4_12_rgb_dir(fresnel_float3 f0, fresnel_floa
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0357, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0357, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    23 operations
 // source  this library
 static inline float powers_2_8_16(float f0, float f82, float cos_i) {
@@ -1433,11 +1403,11 @@ static inline float powers_2_8_16(float f0, float f82, float cos_i) {
     const float c2 = 1.04343f * dip - 0.2752f * rise;
     const float c8 = 1.55944f * dip + 0.45498f * rise;
     const float c16 = 0.82022f * rise - 2.60287f * dip;
-    const float one_minus_cos_i = 1.0f - cos_i;
-    const float m2 = one_minus_cos_i * one_minus_cos_i;
-    const float m2_2 = m2 * m2;
-    const float m8 = m2_2 * m2_2;
-    return fminf(fmaxf(f0 + c2 * m2 + m8 * (c8 + c16 * m8), 0.0f), 1.0f);
+    const float x = 1.0f - cos_i;
+    const float x2 = x * x;
+    const float x4 = x2 * x2;
+    const float x8 = x4 * x4;
+    return fminf(fmaxf(f0 + c2 * x2 + x8 * (c8 + c16 * x8), 0.0f), 1.0f);
 }
 
 static inline float powers_2_8_16_dir(float f0, float f82, fresnel_float3 normal, fresnel_float3 direction) {
@@ -1446,8 +1416,9 @@ static inline float powers_2_8_16_dir(float f0, float f82, fresnel_float3 normal
 
 // The same for three channels, which share the angle.
 static inline fresnel_float3 powers_2_8_16_rgb(fresnel_float3 f0, fresnel_float3 f82, float cos_i) {
-    fresnel_float3 result = {powers_2_8_16(f0.x, f82.x, cos_i), powers_2_8_16(f0.y, f82.y, cos_i),
-            powers_2_8_16(f0.z, f82.z, cos_i)};
+    fresnel_float3 result = {powers_2_8_16(f0.x, f82.x, cos_i),
+                             powers_2_8_16(f0.y, f82.y, cos_i),
+                             powers_2_8_16(f0.z, f82.z, cos_i)};
     return result;
 }
 
@@ -1466,7 +1437,7 @@ static inline fresnel_float3 powers_2_8_16_rgb_dir(fresnel_float3 f0, fresnel_fl
 // scale   strength of the rim, [-10, 10]
 // power   sharpness of the rise, [0.1, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.275, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.275, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    14 operations
 // source  Fernando and Kilgard 2003, The Cg Tutorial, ch. 7; Halladay 2014, Fresnel Shading
 static inline float bias_scale_power(float bias, float scale, float power, float cos_i) {
@@ -1482,8 +1453,8 @@ static inline float bias_scale_power_dir(float bias, float scale, float power, f
 static inline fresnel_float3 bias_scale_power_rgb(fresnel_float3 bias, fresnel_float3 scale,
         fresnel_float3 power, float cos_i) {
     fresnel_float3 result = {bias_scale_power(bias.x, scale.x, power.x, cos_i),
-            bias_scale_power(bias.y, scale.y, power.y, cos_i),
-            bias_scale_power(bias.z, scale.z, power.z, cos_i)};
+                             bias_scale_power(bias.y, scale.y, power.y, cos_i),
+                             bias_scale_power(bias.z, scale.z, power.z, cos_i)};
     return result;
 }
 

@@ -1,7 +1,9 @@
-// Fresnel reflectance in HLSL, shader model 2 and later, and Cg. Made by `fresnel shader --all --lang hlsl`; do not edit.
+// Fresnel reflectance in HLSL, shader model 2 and later, and Cg.
+// Made by `fresnel shader --all --lang hlsl`; do not edit.
 //
 // eta = n_t / n_i, the index behind the surface over the one in front; complex: n + i k.
-// cos_i is the cosine of incidence, in [0, 1].
+// cos_i is the cosine of incidence, in [0, 1]. In the equations c is cos_i, s is sin_i and
+// x is 1 - c; _s and _p are the polarisations across and along the plane of incidence.
 // Directions are unit vectors and point away from the surface; the one beside the normal is
 // yours: the view, the light or the half vector with either.
 // Reflectance is of unpolarised light and lies in [0, 1]. RGB values are linear.
@@ -36,7 +38,8 @@ float incidence_cosine(float3 normal, float3 direction) {
 // direction where the light comes from, or the eye is; unit, on the side of normal
 // normal    unit
 float3 reflected_direction(float3 direction, float3 normal) {
-    return 2.0 * dot(normal, direction) * normal - direction;
+    float d = 2.0 * dot(normal, direction);
+    return d * normal - direction;
 }
 
 // The refracted direction, on the other side of normal; the zero vector beyond the critical angle.
@@ -90,8 +93,8 @@ float brewster_cosine(float eta) {
 //
 // eta       n_t / n_i, above 0
 float f0_from_eta(float eta) {
-    float t = (eta - 1.0) / (eta + 1.0);
-    return t * t;
+    float r = (eta - 1.0) / (eta + 1.0); // amplitude
+    return r * r;
 }
 
 // The relative index above 1 that has this f0.
@@ -100,8 +103,8 @@ float f0_from_eta(float eta) {
 //
 // f0        reflectance at normal incidence, [0, 1)
 float eta_from_f0(float f0) {
-    float t = 1.0 + sqrt(f0);
-    return t * t / (1.0 - f0);
+    float p = 1.0 + sqrt(f0);
+    return p * p / (1.0 - f0);
 }
 
 // ---- highlights and thin layers ------------------------------------------------------------------------------
@@ -123,9 +126,9 @@ float phong_lobe(float cos_r, float shininess) {
 // a0        opacity by reflection seen along the normal, [0, 1]
 // cos_i     cosine between view and normal, [0, 1]
 float opacity_fresnel(float a0, float cos_i) {
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    return a0 + (1.0 - a0) * (m2 * m2 * m);
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    return a0 + (1.0 - a0) * (x2 * x2 * x);
 }
 
 // Opacity by attenuation in a thin layer, in proportion to the path through it.
@@ -158,6 +161,53 @@ float opacity_total(float attenuation, float fresnel) {
     return attenuation + fresnel * (1.0 - attenuation);
 }
 
+// ---- twice the digits ----------------------------------------------------------------------------------------
+
+// a + b without rounding error: x is the rounded sum, y what it lacks (Knuth 1969).
+// Right only where the compiler does not rearrange: no fast math, precise where the language has it.
+float2 two_sum(float a, float b) {
+    float sum = a + b;
+    float b_part = sum - a;
+    return float2(sum, a - (sum - b_part) + (b - b_part));
+}
+
+// a = x + y, half of its digits in each, so that products of halves are exact (Veltkamp 1968).
+float2 halves(float a) {
+    float scaled = 4097.0 * a;
+    float hi = scaled - (scaled - a);
+    return float2(hi, a - hi);
+}
+
+// a b without rounding error: x is the rounded product, y what it lacks (Dekker 1971).
+float2 two_product(float a, float b) {
+    float product = a * b;
+    float2 p = halves(a);
+    float2 q = halves(b);
+    float over = p.x * q.y;
+    float under = p.y * q.x;
+    float error = p.x * q.x - product + over + under + p.y * q.y;
+    return float2(product, error);
+}
+
+// a + b, where each number is a sum x + y with twice the digits of a float.
+float2 twofold_sum(float2 a, float2 b) {
+    float2 s = two_sum(a.x, b.x);
+    float2 t = two_sum(a.y, b.y);
+    float2 u = two_sum(s.x, s.y + t.x);
+    return two_sum(u.x, u.y + t.y);
+}
+
+// a - b of such numbers.
+float2 twofold_difference(float2 a, float2 b) {
+    return twofold_sum(a, -b);
+}
+
+// a b of such numbers.
+float2 twofold_product(float2 a, float2 b) {
+    float2 p = two_product(a.x, b.x);
+    return two_sum(p.x, p.y + (a.x * b.y + a.y * b.x));
+}
+
 // ---- exact ---------------------------------------------------------------------------------------------------
 
 // Exact reflectance between two transparent media, accurate in float everywhere.
@@ -174,15 +224,21 @@ float opacity_total(float attenuation, float fresnel) {
 float dielectric(float n_i, float n_t, float cos_i) {
     float c = n_i * cos_i;
     float s2 = n_i * (1.0 - cos_i * cos_i);
-    float E = (n_t - n_i) * (n_t + n_i); // eta^2 - 1
-    float g2 = E + c * c; // below 0 under total internal reflection
-    float g = sqrt(max(g2, 1.1754944e-38)); // eta cos_t; so little there that R is 1
+    float E = (n_t - n_i) * (n_t + n_i); // n_t^2 - n_i^2
+
+    // Snell
+    float g2 = E + c * c; // below 0 beyond the critical angle
+    float g = sqrt(max(g2, 1.1754944e-38)); // n_t cos_t; beyond it so small that R is 1
+
+    // s-polarised, across the plane of incidence
     float E2 = E * E;
     float cg = c * g;
     float a = 2.0 * (g + c);
     float a2 = a * a;
     float D_s = max(E2 + cg * a2, 1.1754944e-38); // 0 only for equal media at cos_i = 0
     float R_s = E2 / D_s;
+
+    // p-polarised, along it
     float x = cos_i * g;
     float b = x + s2;
     float q = (x - s2) / b;
@@ -198,15 +254,21 @@ float dielectric(float n_i, float n_t, float3 normal, float3 direction) {
 float3 dielectric(float n_i, float3 n_t, float cos_i) {
     float c = n_i * cos_i;
     float s2 = n_i * (1.0 - cos_i * cos_i);
-    float3 E = (n_t - n_i) * (n_t + n_i); // eta^2 - 1
-    float3 g2 = E + c * c; // below 0 under total internal reflection
-    float3 g = sqrt(max(g2, (float3)1.1754944e-38)); // eta cos_t; so little there that R is 1
+    float3 E = (n_t - n_i) * (n_t + n_i); // n_t^2 - n_i^2
+
+    // Snell
+    float3 g2 = E + c * c; // below 0 beyond the critical angle
+    float3 g = sqrt(max(g2, (float3)1.1754944e-38)); // n_t cos_t; beyond it so small that R is 1
+
+    // s-polarised, across the plane of incidence
     float3 E2 = E * E;
     float3 cg = c * g;
     float3 a = 2.0 * (g + c);
     float3 a2 = a * a;
     float3 D_s = max(E2 + cg * a2, (float3)1.1754944e-38); // 0 only for equal media at cos_i = 0
     float3 R_s = E2 / D_s;
+
+    // p-polarised, along it
     float3 x = cos_i * g;
     float3 b = x + s2;
     float3 q = (x - s2) / b;
@@ -222,19 +284,27 @@ float3 dielectric(float n_i, float3 n_t, float3 normal, float3 direction) {
 fresnel_boundary dielectric_boundary(float n_i, float n_t, float cos_i) {
     float c = n_i * cos_i;
     float s2 = n_i * (1.0 - cos_i * cos_i);
-    float E = (n_t - n_i) * (n_t + n_i); // eta^2 - 1
-    float g2 = E + c * c; // below 0 under total internal reflection
-    float g = sqrt(max(g2, 1.1754944e-38)); // eta cos_t; so little there that R is 1
+    float E = (n_t - n_i) * (n_t + n_i); // n_t^2 - n_i^2
+
+    // Snell
+    float g2 = E + c * c; // below 0 beyond the critical angle
+    float g = sqrt(max(g2, 1.1754944e-38)); // n_t cos_t; beyond it so small that R is 1
+
+    // s-polarised, across the plane of incidence
     float E2 = E * E;
     float cg = c * g;
     float a = 2.0 * (g + c);
     float a2 = a * a;
     float D_s = max(E2 + cg * a2, 1.1754944e-38); // 0 only for equal media at cos_i = 0
     float R_s = E2 / D_s;
+
+    // p-polarised, along it
     float x = cos_i * g;
     float b = x + s2;
     float q = (x - s2) / b;
     float R_p = R_s * (q * q);
+
+    // transmitted
     float through_s = g2 <= 0.0 ? 0.0 : cg * (a2 / D_s);
     float through_p = g2 <= 0.0 ? 0.0 : 4.0 * (x * s2) / (b * b);
     float T_s = E2 <= 0.0 ? 1.0 - R_s : through_s;
@@ -261,7 +331,9 @@ float conductor(float n_i, float n_t, float k_t, float cos_i) {
     float sin2 = 1.0 - cos2;
     float s2 = n_i * sin2;
     float s4 = s2 * s2;
-    float E = (n_t - n_i) * (n_t + n_i) - k_t * k_t; // Re m^2 - 1
+
+    // Snell
+    float E = (n_t - n_i) * (n_t + n_i) - k_t * k_t; // Re m^2 - n_i^2, m the complex index
     float Z = 2.0 * (n_t * k_t); // Im m^2
     float Z2 = Z * Z;
     float t0 = E + c2; // q^2 = t0 + i Z
@@ -269,18 +341,22 @@ float conductor(float n_i, float n_t, float k_t, float cos_i) {
     float S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
     float u = sqrt(2.0 * S); // twice the larger of Re q and Im q
     float a = t0 <= 0.0 ? Z : S; // u Re q
+
+    // s-polarised, across the plane of incidence
     float h = 2.0 * (a * c);
-    float F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
+    float F = (E * E + Z2) * S; // S |c - q|^2 |c + q|^2
     float G_s = (A + c2) * u + h;
-    float D_s = max(F + h * G_s, 1.1754944e-38); // |c + q|^4; 0 only for equal media at cos_i = 0
+    float D_s = max(F + h * G_s, 1.1754944e-38); // S |c + q|^4; 0 only for equal media at cos_i = 0
     float R_s = F / D_s;
+
+    // p-polarised, along it
     float h_p = h * sin2;
     float N = t0 * cos2 - s4;
     float M = Z * cos2;
     float M2 = M * M + 8.4703295e-22; // above 0, so that D_p is
-    float B = (N * N + M2) * S; // |q c - s^2|^2 |q c + s^2|^2
+    float B = (N * N + M2) * S; // S |q c - s^2|^2 |q c + s^2|^2
     float G_p = (A * cos2 + s4) * u + h_p;
-    float D_p = B + h_p * G_p; // |q c + s^2|^4
+    float D_p = B + h_p * G_p; // S |q c + s^2|^4
     float R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0;
 }
@@ -291,8 +367,9 @@ float conductor(float n_i, float n_t, float k_t, float3 normal, float3 direction
 
 // The same for three channels, which share the angle.
 float3 conductor(float n_i, float3 n_t, float3 k_t, float cos_i) {
-    return float3(conductor(n_i, n_t.x, k_t.x, cos_i), conductor(n_i, n_t.y, k_t.y, cos_i),
-            conductor(n_i, n_t.z, k_t.z, cos_i));
+    return float3(conductor(n_i, n_t.x, k_t.x, cos_i),
+                  conductor(n_i, n_t.y, k_t.y, cos_i),
+                  conductor(n_i, n_t.z, k_t.z, cos_i));
 }
 
 float3 conductor(float n_i, float3 n_t, float3 k_t, float3 normal, float3 direction) {
@@ -307,7 +384,9 @@ fresnel_boundary conductor_boundary(float n_i, float n_t, float k_t, float cos_i
     float sin2 = 1.0 - cos2;
     float s2 = n_i * sin2;
     float s4 = s2 * s2;
-    float E = (n_t - n_i) * (n_t + n_i) - k_t * k_t; // Re m^2 - 1
+
+    // Snell
+    float E = (n_t - n_i) * (n_t + n_i) - k_t * k_t; // Re m^2 - n_i^2, m the complex index
     float Z = 2.0 * (n_t * k_t); // Im m^2
     float Z2 = Z * Z;
     float t0 = E + c2; // q^2 = t0 + i Z
@@ -315,19 +394,25 @@ fresnel_boundary conductor_boundary(float n_i, float n_t, float k_t, float cos_i
     float S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
     float u = sqrt(2.0 * S); // twice the larger of Re q and Im q
     float a = t0 <= 0.0 ? Z : S; // u Re q
+
+    // s-polarised, across the plane of incidence
     float h = 2.0 * (a * c);
-    float F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
+    float F = (E * E + Z2) * S; // S |c - q|^2 |c + q|^2
     float G_s = (A + c2) * u + h;
-    float D_s = max(F + h * G_s, 1.1754944e-38); // |c + q|^4; 0 only for equal media at cos_i = 0
+    float D_s = max(F + h * G_s, 1.1754944e-38); // S |c + q|^4; 0 only for equal media at cos_i = 0
     float R_s = F / D_s;
+
+    // p-polarised, along it
     float h_p = h * sin2;
     float N = t0 * cos2 - s4;
     float M = Z * cos2;
     float M2 = M * M + 8.4703295e-22; // above 0, so that D_p is
-    float B = (N * N + M2) * S; // |q c - s^2|^2 |q c + s^2|^2
+    float B = (N * N + M2) * S; // S |q c - s^2|^2 |q c + s^2|^2
     float G_p = (A * cos2 + s4) * u + h_p;
-    float D_p = B + h_p * G_p; // |q c + s^2|^4
+    float D_p = B + h_p * G_p; // S |q c + s^2|^4
     float R_p = R_s * (B / D_p);
+
+    // transmitted
     float T_s = F <= 0.0 ? 1.0 - R_s : 2.0 * (a * (G_s / D_s)) * c;
     float T_p = T_s + R_s * (2.0 * (a * (G_p / D_p)) * (c * sin2));
     fresnel_boundary result = {R_s, R_p, min(T_s, 1.0), min(T_p, 1.0)};
@@ -366,8 +451,9 @@ float dielectric_fast(float n_i, float n_t, float3 normal, float3 direction) {
 
 // The same for three channels, which share the angle.
 float3 dielectric_fast(float n_i, float3 n_t, float cos_i) {
-    return float3(dielectric_fast(n_i, n_t.x, cos_i), dielectric_fast(n_i, n_t.y, cos_i),
-            dielectric_fast(n_i, n_t.z, cos_i));
+    return float3(dielectric_fast(n_i, n_t.x, cos_i),
+                  dielectric_fast(n_i, n_t.y, cos_i),
+                  dielectric_fast(n_i, n_t.z, cos_i));
 }
 
 float3 dielectric_fast(float n_i, float3 n_t, float3 normal, float3 direction) {
@@ -390,16 +476,18 @@ fresnel_boundary dielectric_fast_boundary(float n_i, float n_t, float cos_i) {
     float R_s = g2 <= 0.0 ? 1.0 : r2;
     float R_p = g2 <= 0.0 ? 1.0 : r2 * (q * q);
     float w = 4.0 * (c * g);
-    float T_s = w / (a * a);
-    float T_s_2 = g2 <= 0.0 ? 0.0 : T_s;
-    float T_p = g2 <= 0.0 ? 0.0 : T_s + r2 * (w * sin2 / (b * b));
-    fresnel_boundary result = {R_s, R_p, min(T_s_2, 1.0), min(T_p, 1.0)};
+    float through_s = w / (a * a);
+    float through_p = w * sin2 / (b * b);
+    float T_s = g2 <= 0.0 ? 0.0 : through_s;
+    float T_p = g2 <= 0.0 ? 0.0 : through_s + r2 * through_p;
+    fresnel_boundary result = {R_s, R_p, min(T_s, 1.0), min(T_p, 1.0)};
     return result;
 }
 
 // Exact reflectance of an absorbing medium in the fewest operations.
 //
-//   R_s = (t1 - t2) / (t1 + t2), R_p = R_s (t3 - t4) / (t3 + t4)
+//   R_s = (t1 - t2) / (t1 + t2), R_p = R_s (t3 - t4) / (t3 + t4), t1 = A + c^2, t2 = 2 a c,
+//   t3 = A c^2 + s^4, t4 = t2 s^2, A = a^2 + b^2, (a + i b)^2 = (n + i k)^2 - s^2
 //
 // n_i     index in front of the surface, [0.01, 100]
 // n_t     index behind it, [0.001, 1000]
@@ -490,7 +578,7 @@ fresnel_boundary conductor_fast_boundary(float n_i, float n_t, float k_t, float 
 
 // Exact reflectance of any medium, with the two sums that cancel in twice the digits.
 //
-//   F = as conductor, with the sums that cancel in twice the digits
+//   R_s = |c - q|^2 / |c + q|^2, R_p = R_s |q c - s^2|^2 / |q c + s^2|^2, q^2 = (n + i k)^2 - s^2
 //
 // n_i     index in front of the surface, [0.01, 100]
 // n_t     index behind it, [0.001, 1000]
@@ -500,121 +588,54 @@ fresnel_boundary conductor_fast_boundary(float n_i, float n_t, float k_t, float 
 // cost    304 operations
 // source  Born and Wolf 1999; Knuth 1969; Dekker 1971
 float conductor_precise(float n_i, float n_t, float k_t, float cos_i) {
-    float n_t2 = n_t * n_t;
-    float k_t2 = k_t * k_t;
-    float t = n_t2 + (-k_t2);
-    float t_2 = t - n_t2;
-    float t_3 = 4097.0 * n_t;
-    float t_4 = t_3 - (t_3 - n_t);
-    float t_5 = n_t - t_4;
-    float t_6 = t_4 * t_5;
-    float t_7 = t_4 * t_4 - n_t2 + t_6 + t_6 + t_5 * t_5;
-    float t_8 = 4097.0 * k_t;
-    float t_9 = t_8 - (t_8 - k_t);
-    float t_10 = k_t - t_9;
-    float t_11 = t_9 * t_10;
-    float t_12 = t_9 * t_9 - k_t2 + t_11 + t_11 + t_10 * t_10;
-    float t_13 = t_7 + (-t_12);
-    float t_14 = n_t2 - (t - t_2) + (-k_t2 - t_2) + t_13;
-    float t_15 = t + t_14;
-    float t_16 = t_15 - t;
-    float t_17 = t_13 - t_7;
-    float t_18 = t - (t_15 - t_16) + (t_14 - t_16) + (t_7 - (t_13 - t_17) + (-t_12 - t_17));
-    float t_19 = t_15 + t_18;
-    float n_i2 = n_i * n_i;
-    float t_20 = t_19 + (-n_i2);
-    float t_21 = t_20 - t_19;
-    float t_22 = t_19 - t_15;
-    float t_23 = t_15 - (t_19 - t_22) + (t_18 - t_22);
-    float t_24 = 4097.0 * n_i;
-    float t_25 = t_24 - (t_24 - n_i);
-    float t_26 = n_i - t_25;
-    float t_27 = t_25 * t_26;
-    float t_28 = t_25 * t_25 - n_i2 + t_27 + t_27 + t_26 * t_26;
-    float t_29 = t_23 + (-t_28);
-    float t_30 = t_19 - (t_20 - t_21) + (-n_i2 - t_21) + t_29;
-    float t_31 = t_20 + t_30;
-    float t_32 = t_31 - t_20;
-    float t_33 = t_29 - t_23;
-    float t_34 = t_20 - (t_31 - t_32) + (t_30 - t_32) + (t_23 - (t_29 - t_33) + (-t_28 - t_33));
-    float t_35 = t_31 + t_34;
-    float cos2 = cos_i * cos_i;
-    float t_36 = n_i2 * cos2;
-    float t_37 = 4097.0 * n_i2;
-    float t_38 = t_37 - (t_37 - n_i2);
-    float t_39 = 4097.0 * cos2;
-    float t_40 = t_39 - (t_39 - cos2);
-    float t_41 = cos2 - t_40;
-    float t_42 = n_i2 - t_38;
-    float t_43 = 4097.0 * cos_i;
-    float t_44 = t_43 - (t_43 - cos_i);
-    float t_45 = cos_i - t_44;
-    float t_46 = t_44 * t_45;
-    float t_47 = t_44 * t_44 - cos2 + t_46 + t_46 + t_45 * t_45;
-    float t_48 = t_38 * t_40 - t_36 + t_38 * t_41 + t_42 * t_40 + t_42 * t_41 + (n_i2 * t_47 + t_28 * cos2);
-    float t_49 = t_36 + t_48;
-    float t_50 = t_35 + t_49;
-    float t_51 = t_50 - t_35;
-    float t_52 = t_35 - t_31;
-    float t_53 = t_31 - (t_35 - t_52) + (t_34 - t_52);
-    float t_54 = t_49 - t_36;
-    float t_55 = t_36 - (t_49 - t_54) + (t_48 - t_54);
-    float t_56 = t_53 + t_55;
-    float t_57 = t_35 - (t_50 - t_51) + (t_49 - t_51) + t_56;
-    float t_58 = t_50 + t_57;
-    float t_59 = t_58 - t_50;
-    float t_60 = t_56 - t_53;
-    float t_61 = t_58 + (t_50 - (t_58 - t_59) + (t_57 - t_59) + (t_53 - (t_56 - t_60) + (t_55 - t_60)));
-    float t_62 = n_t * k_t;
-    float t_63 = abs(t_61);
-    float t_64 = sqrt((max(sqrt(t_61 * t_61 + 4.0 * (t_62 * t_62)), t_63) + t_63) / 2.0);
-    float t_65 = t_62 / (t_64 > 0.0 ? t_64 : 1.0);
-    float t_66 = t_61 < 0.0 ? t_65 : t_64;
-    float t_67 = n_i * cos_i;
-    float t_68 = t_66 - t_67;
-    float t_69 = t_61 < 0.0 ? t_64 : t_65;
-    float t_70 = t_69 * t_69;
-    float t_71 = t_66 + t_67;
-    float t_72 = max(2.0 * abs(t_68), t_69) < t_67 ? (t_35 + t_70) / t_71 : t_68;
-    float t_73 = t_71 * t_71 + t_70;
-    float t_74 = (t_72 * t_72 + t_70) / (t_73 <= 0.0 ? 1.0 : t_73);
-    float t_75 = t_66 * cos_i;
-    float t_76 = n_i * ((1.0 - cos_i) * (1.0 + cos_i));
-    float t_77 = t_75 - t_76;
-    float t_78 = n_t2 + n_i2;
-    float t_79 = t_78 - n_t2;
-    float t_80 = t_7 + t_28;
-    float t_81 = n_t2 - (t_78 - t_79) + (n_i2 - t_79) + t_80;
-    float t_82 = t_78 + t_81;
-    float t_83 = t_82 - t_78;
-    float t_84 = t_80 - t_7;
-    float t_85 = t_78 - (t_82 - t_83) + (t_81 - t_83) + (t_7 - (t_80 - t_84) + (t_28 - t_84));
-    float t_86 = t_82 + t_85;
-    float t_87 = cos2 * t_86;
-    float t_88 = 4097.0 * t_86;
-    float t_89 = t_88 - (t_88 - t_86);
-    float t_90 = t_86 - t_89;
-    float t_91 = t_86 - t_82;
-    float t_92 = t_40 * t_89 - t_87 + t_40 * t_90 + t_41 * t_89 + t_41 * t_90 +
-            (cos2 * (t_82 - (t_86 - t_91) + (t_85 - t_91)) + t_47 * t_86);
-    float t_93 = t_87 + t_92;
-    float t_94 = t_93 + (-n_i2);
-    float t_95 = t_94 - t_93;
-    float t_96 = t_93 - t_87;
-    float t_97 = t_87 - (t_93 - t_96) + (t_92 - t_96);
-    float t_98 = t_97 + (-t_28);
-    float t_99 = t_93 - (t_94 - t_95) + (-n_i2 - t_95) + t_98;
-    float t_100 = t_94 + t_99;
-    float t_101 = t_100 - t_94;
-    float t_102 = t_98 - t_97;
-    float t_103 = t_75 + t_76;
-    float t_104 = t_103 <= 0.0 ? 1.0 : t_103;
-    float t_105 = max(2.0 * abs(t_77) - t_76, 2.0 * t_69 - n_i) < 0.0 ?
-            (t_100 + (t_94 - (t_100 - t_101) + (t_99 - t_101) + (t_97 - (t_98 - t_102) + (-t_28 - t_102))) +
-            cos2 * (t_70 - k_t2)) / t_104 : t_77;
-    float t_106 = t_69 * cos_i;
-    float t_107 = t_106 * t_106;
-    return (min(t_74, 1.0) + min(t_74 * ((t_105 * t_105 + t_107) / (t_104 * t_104 + t_107)), 1.0)) / 2.0;
+    float s2 = (1.0 - cos_i) * (1.0 + cos_i);
+
+    // what cancels, in twice the digits
+    float2 n2 = two_product(n_t, n_t);
+    float2 k2 = two_product(k_t, k_t);
+    float2 i2 = two_product(n_i, n_i);
+    float2 c2 = two_product(cos_i, cos_i);
+    float2 m2 = twofold_difference(n2, k2); // Re m^2, m = n_t + i k_t
+    float2 E = twofold_difference(m2, i2);
+    float2 p2 = twofold_product(i2, c2); // (n_i cos_i)^2
+    float2 q2 = twofold_sum(E, p2); // Re q^2, q^2 = m^2 - (n_i sin_i)^2
+    float2 sum2 = twofold_sum(n2, i2);
+    float2 product = twofold_product(c2, sum2);
+    float2 N = twofold_difference(product, i2); // 0 at Brewster's angle where k_t = 0
+
+    // q = a + i b, which is m cos_t; lengths in units of 1 / n_i
+    float c = n_i * cos_i;
+    float nk = n_t * k_t; // Im q^2 / 2
+    float size = abs(q2.x);
+    float A = max(sqrt(q2.x * q2.x + 4.0 * (nk * nk)), size); // |q|^2
+    float larger = sqrt((A + size) / 2.0); // of |Re q| and |Im q|
+    float smaller = nk / (larger > 0.0 ? larger : 1.0);
+    float a = q2.x < 0.0 ? smaller : larger; // Re q
+    float b = q2.x < 0.0 ? larger : smaller; // Im q
+    float b2 = b * b;
+
+    // s-polarised; d is a - c, exact near an index match as well
+    float a_minus_c = a - c;
+    float a_plus_c = a + c;
+    float d = max(2.0 * abs(a_minus_c), b) < c ? (E.x + b2) / a_plus_c : a_minus_c;
+    float D_s = a_plus_c * a_plus_c + b2;
+    float D = D_s <= 0.0 ? 1.0 : D_s; // 0 only for equal media at cos_i = 0
+    float N_s = d * d + b2;
+    float R_s = N_s / D;
+
+    // p-polarised; nu is a cos_i - n_i sin_i^2, exact near Brewster's angle as well
+    float is2 = n_i * s2;
+    float ac = a * cos_i;
+    float bc = b * cos_i;
+    float bc2 = bc * bc;
+    float difference = ac - is2;
+    float total = ac + is2;
+    float sum = total <= 0.0 ? 1.0 : total;
+    float exact = (N.x + c2.x * (b2 - k2.x)) / sum;
+    float nu = max(2.0 * abs(difference) - is2, 2.0 * b - n_i) < 0.0 ? exact : difference;
+    float P = sum * sum + bc2;
+    float R_p = R_s * ((nu * nu + bc2) / P);
+    return (min(R_s, 1.0) + min(R_p, 1.0)) / 2.0;
 }
 
 float conductor_precise(float n_i, float n_t, float k_t, float3 normal, float3 direction) {
@@ -623,8 +644,9 @@ float conductor_precise(float n_i, float n_t, float k_t, float3 normal, float3 d
 
 // The same for three channels, which share the angle.
 float3 conductor_precise(float n_i, float3 n_t, float3 k_t, float cos_i) {
-    return float3(conductor_precise(n_i, n_t.x, k_t.x, cos_i), conductor_precise(n_i, n_t.y, k_t.y, cos_i),
-            conductor_precise(n_i, n_t.z, k_t.z, cos_i));
+    return float3(conductor_precise(n_i, n_t.x, k_t.x, cos_i),
+                  conductor_precise(n_i, n_t.y, k_t.y, cos_i),
+                  conductor_precise(n_i, n_t.z, k_t.z, cos_i));
 }
 
 float3 conductor_precise(float n_i, float3 n_t, float3 k_t, float3 normal, float3 direction) {
@@ -633,127 +655,56 @@ float3 conductor_precise(float n_i, float3 n_t, float3 k_t, float3 normal, float
 
 // Reflectances and transmittances of both polarisations.
 fresnel_boundary conductor_precise_boundary(float n_i, float n_t, float k_t, float cos_i) {
-    float n_t2 = n_t * n_t;
-    float k_t2 = k_t * k_t;
-    float t = n_t2 + (-k_t2);
-    float t_2 = t - n_t2;
-    float t_3 = 4097.0 * n_t;
-    float t_4 = t_3 - (t_3 - n_t);
-    float t_5 = n_t - t_4;
-    float t_6 = t_4 * t_5;
-    float t_7 = t_4 * t_4 - n_t2 + t_6 + t_6 + t_5 * t_5;
-    float t_8 = 4097.0 * k_t;
-    float t_9 = t_8 - (t_8 - k_t);
-    float t_10 = k_t - t_9;
-    float t_11 = t_9 * t_10;
-    float t_12 = t_9 * t_9 - k_t2 + t_11 + t_11 + t_10 * t_10;
-    float t_13 = t_7 + (-t_12);
-    float t_14 = n_t2 - (t - t_2) + (-k_t2 - t_2) + t_13;
-    float t_15 = t + t_14;
-    float t_16 = t_15 - t;
-    float t_17 = t_13 - t_7;
-    float t_18 = t - (t_15 - t_16) + (t_14 - t_16) + (t_7 - (t_13 - t_17) + (-t_12 - t_17));
-    float t_19 = t_15 + t_18;
-    float n_i2 = n_i * n_i;
-    float t_20 = t_19 + (-n_i2);
-    float t_21 = t_20 - t_19;
-    float t_22 = t_19 - t_15;
-    float t_23 = t_15 - (t_19 - t_22) + (t_18 - t_22);
-    float t_24 = 4097.0 * n_i;
-    float t_25 = t_24 - (t_24 - n_i);
-    float t_26 = n_i - t_25;
-    float t_27 = t_25 * t_26;
-    float t_28 = t_25 * t_25 - n_i2 + t_27 + t_27 + t_26 * t_26;
-    float t_29 = t_23 + (-t_28);
-    float t_30 = t_19 - (t_20 - t_21) + (-n_i2 - t_21) + t_29;
-    float t_31 = t_20 + t_30;
-    float t_32 = t_31 - t_20;
-    float t_33 = t_29 - t_23;
-    float t_34 = t_20 - (t_31 - t_32) + (t_30 - t_32) + (t_23 - (t_29 - t_33) + (-t_28 - t_33));
-    float t_35 = t_31 + t_34;
-    float cos2 = cos_i * cos_i;
-    float t_36 = n_i2 * cos2;
-    float t_37 = 4097.0 * n_i2;
-    float t_38 = t_37 - (t_37 - n_i2);
-    float t_39 = 4097.0 * cos2;
-    float t_40 = t_39 - (t_39 - cos2);
-    float t_41 = cos2 - t_40;
-    float t_42 = n_i2 - t_38;
-    float t_43 = 4097.0 * cos_i;
-    float t_44 = t_43 - (t_43 - cos_i);
-    float t_45 = cos_i - t_44;
-    float t_46 = t_44 * t_45;
-    float t_47 = t_44 * t_44 - cos2 + t_46 + t_46 + t_45 * t_45;
-    float t_48 = t_38 * t_40 - t_36 + t_38 * t_41 + t_42 * t_40 + t_42 * t_41 + (n_i2 * t_47 + t_28 * cos2);
-    float t_49 = t_36 + t_48;
-    float t_50 = t_35 + t_49;
-    float t_51 = t_50 - t_35;
-    float t_52 = t_35 - t_31;
-    float t_53 = t_31 - (t_35 - t_52) + (t_34 - t_52);
-    float t_54 = t_49 - t_36;
-    float t_55 = t_36 - (t_49 - t_54) + (t_48 - t_54);
-    float t_56 = t_53 + t_55;
-    float t_57 = t_35 - (t_50 - t_51) + (t_49 - t_51) + t_56;
-    float t_58 = t_50 + t_57;
-    float t_59 = t_58 - t_50;
-    float t_60 = t_56 - t_53;
-    float t_61 = t_58 + (t_50 - (t_58 - t_59) + (t_57 - t_59) + (t_53 - (t_56 - t_60) + (t_55 - t_60)));
-    float t_62 = n_t * k_t;
-    float t_63 = abs(t_61);
-    float t_64 = sqrt((max(sqrt(t_61 * t_61 + 4.0 * (t_62 * t_62)), t_63) + t_63) / 2.0);
-    float t_65 = t_62 / (t_64 > 0.0 ? t_64 : 1.0);
-    float t_66 = t_61 < 0.0 ? t_65 : t_64;
-    float t_67 = n_i * cos_i;
-    float t_68 = t_66 - t_67;
-    float t_69 = t_61 < 0.0 ? t_64 : t_65;
-    float t_70 = t_69 * t_69;
-    float t_71 = t_66 + t_67;
-    float t_72 = max(2.0 * abs(t_68), t_69) < t_67 ? (t_35 + t_70) / t_71 : t_68;
-    float t_73 = t_72 * t_72 + t_70;
-    float t_74 = t_71 * t_71 + t_70;
-    float t_75 = t_74 <= 0.0 ? 1.0 : t_74;
-    float t_76 = t_73 / t_75;
-    float t_77 = t_66 * cos_i;
-    float t_78 = n_i * ((1.0 - cos_i) * (1.0 + cos_i));
-    float t_79 = t_77 - t_78;
-    float t_80 = n_t2 + n_i2;
-    float t_81 = t_80 - n_t2;
-    float t_82 = t_7 + t_28;
-    float t_83 = n_t2 - (t_80 - t_81) + (n_i2 - t_81) + t_82;
-    float t_84 = t_80 + t_83;
-    float t_85 = t_84 - t_80;
-    float t_86 = t_82 - t_7;
-    float t_87 = t_80 - (t_84 - t_85) + (t_83 - t_85) + (t_7 - (t_82 - t_86) + (t_28 - t_86));
-    float t_88 = t_84 + t_87;
-    float t_89 = cos2 * t_88;
-    float t_90 = 4097.0 * t_88;
-    float t_91 = t_90 - (t_90 - t_88);
-    float t_92 = t_88 - t_91;
-    float t_93 = t_88 - t_84;
-    float t_94 = t_40 * t_91 - t_89 + t_40 * t_92 + t_41 * t_91 + t_41 * t_92 +
-            (cos2 * (t_84 - (t_88 - t_93) + (t_87 - t_93)) + t_47 * t_88);
-    float t_95 = t_89 + t_94;
-    float t_96 = t_95 + (-n_i2);
-    float t_97 = t_96 - t_95;
-    float t_98 = t_95 - t_89;
-    float t_99 = t_89 - (t_95 - t_98) + (t_94 - t_98);
-    float t_100 = t_99 + (-t_28);
-    float t_101 = t_95 - (t_96 - t_97) + (-n_i2 - t_97) + t_100;
-    float t_102 = t_96 + t_101;
-    float t_103 = t_102 - t_96;
-    float t_104 = t_100 - t_99;
-    float t_105 = t_77 + t_78;
-    float t_106 = t_105 <= 0.0 ? 1.0 : t_105;
-    float t_107 = max(2.0 * abs(t_79) - t_78, 2.0 * t_69 - n_i) < 0.0 ?
-            (t_102 + (t_96 - (t_102 - t_103) + (t_101 - t_103) +
-            (t_99 - (t_100 - t_104) + (-t_28 - t_104))) + cos2 * (t_70 - k_t2)) / t_106 : t_79;
-    float t_108 = t_69 * cos_i;
-    float t_109 = t_108 * t_108;
-    float t_110 = t_106 * t_106 + t_109;
-    float t_111 = t_73 <= 0.0 ? 1.0 : 4.0 * (t_66 * t_67) / t_75;
-    fresnel_boundary result =
-            {min(t_76, 1.0), min(t_76 * ((t_107 * t_107 + t_109) / t_110), 1.0), min(t_111, 1.0),
-            min(t_111 + t_76 * (4.0 * (t_77 * t_78) / t_110), 1.0)};
+    float s2 = (1.0 - cos_i) * (1.0 + cos_i);
+
+    // what cancels, in twice the digits
+    float2 n2 = two_product(n_t, n_t);
+    float2 k2 = two_product(k_t, k_t);
+    float2 i2 = two_product(n_i, n_i);
+    float2 c2 = two_product(cos_i, cos_i);
+    float2 m2 = twofold_difference(n2, k2); // Re m^2, m = n_t + i k_t
+    float2 E = twofold_difference(m2, i2);
+    float2 p2 = twofold_product(i2, c2); // (n_i cos_i)^2
+    float2 q2 = twofold_sum(E, p2); // Re q^2, q^2 = m^2 - (n_i sin_i)^2
+    float2 sum2 = twofold_sum(n2, i2);
+    float2 product = twofold_product(c2, sum2);
+    float2 N = twofold_difference(product, i2); // 0 at Brewster's angle where k_t = 0
+
+    // q = a + i b, which is m cos_t; lengths in units of 1 / n_i
+    float c = n_i * cos_i;
+    float nk = n_t * k_t; // Im q^2 / 2
+    float size = abs(q2.x);
+    float A = max(sqrt(q2.x * q2.x + 4.0 * (nk * nk)), size); // |q|^2
+    float larger = sqrt((A + size) / 2.0); // of |Re q| and |Im q|
+    float smaller = nk / (larger > 0.0 ? larger : 1.0);
+    float a = q2.x < 0.0 ? smaller : larger; // Re q
+    float b = q2.x < 0.0 ? larger : smaller; // Im q
+    float b2 = b * b;
+
+    // s-polarised; d is a - c, exact near an index match as well
+    float a_minus_c = a - c;
+    float a_plus_c = a + c;
+    float d = max(2.0 * abs(a_minus_c), b) < c ? (E.x + b2) / a_plus_c : a_minus_c;
+    float D_s = a_plus_c * a_plus_c + b2;
+    float D = D_s <= 0.0 ? 1.0 : D_s; // 0 only for equal media at cos_i = 0
+    float N_s = d * d + b2;
+    float R_s = N_s / D;
+    float T_s = N_s <= 0.0 ? 1.0 : 4.0 * (a * c) / D;
+
+    // p-polarised; nu is a cos_i - n_i sin_i^2, exact near Brewster's angle as well
+    float is2 = n_i * s2;
+    float ac = a * cos_i;
+    float bc = b * cos_i;
+    float bc2 = bc * bc;
+    float difference = ac - is2;
+    float total = ac + is2;
+    float sum = total <= 0.0 ? 1.0 : total;
+    float exact = (N.x + c2.x * (b2 - k2.x)) / sum;
+    float nu = max(2.0 * abs(difference) - is2, 2.0 * b - n_i) < 0.0 ? exact : difference;
+    float P = sum * sum + bc2;
+    float R_p = R_s * ((nu * nu + bc2) / P);
+    float T_p = T_s + R_s * (4.0 * (ac * is2) / P);
+    fresnel_boundary result = {min(R_s, 1.0), min(R_p, 1.0), min(T_s, 1.0), min(T_p, 1.0)};
     return result;
 }
 
@@ -765,13 +716,13 @@ fresnel_boundary conductor_precise_boundary(float n_i, float n_t, float k_t, flo
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0824, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0824, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    7 operations
 // source  Schlick 1994, An Inexpensive BRDF Model for Physically-based Rendering
 float schlick(float f0, float cos_i) {
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    return f0 + (1.0 - f0) * (m2 * m2 * m);
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    return f0 + (1.0 - f0) * (x2 * x2 * x);
 }
 
 float schlick(float f0, float3 normal, float3 direction) {
@@ -780,9 +731,9 @@ float schlick(float f0, float3 normal, float3 direction) {
 
 // The same for three channels, which share the angle.
 float3 schlick(float3 f0, float cos_i) {
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    return f0 + (1.0 - f0) * (m2 * m2 * m);
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    return f0 + (1.0 - f0) * (x2 * x2 * x);
 }
 
 float3 schlick(float3 f0, float3 normal, float3 direction) {
@@ -796,13 +747,13 @@ float3 schlick(float3 f0, float3 normal, float3 direction) {
 // f0      reflectance at normal incidence, [0, 1]
 // f90     reflectance at grazing incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0824, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0824, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    7 operations
 // source  Schlick 1994; Real-Time Rendering, 4th ed., eq. 9.18
 float schlick_f90(float f0, float f90, float cos_i) {
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    return f0 + (f90 - f0) * (m2 * m2 * m);
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    return f0 + (f90 - f0) * (x2 * x2 * x);
 }
 
 float schlick_f90(float f0, float f90, float3 normal, float3 direction) {
@@ -811,9 +762,9 @@ float schlick_f90(float f0, float f90, float3 normal, float3 direction) {
 
 // The same for three channels, which share the angle.
 float3 schlick_f90(float3 f0, float3 f90, float cos_i) {
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    return f0 + (f90 - f0) * (m2 * m2 * m);
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    return f0 + (f90 - f0) * (x2 * x2 * x);
 }
 
 float3 schlick_f90(float3 f0, float3 f90, float3 normal, float3 direction) {
@@ -828,11 +779,12 @@ float3 schlick_f90(float3 f0, float3 f90, float3 normal, float3 direction) {
 // f90     reflectance at grazing incidence, [0, 1]
 // power   sharpness of the rise, [0.1, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.123, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.123, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    13 operations
 // source  Real-Time Rendering, 4th ed., eq. 9.18
 float schlick_power(float f0, float f90, float power, float cos_i) {
-    return f0 + (f90 - f0) * pow(abs(1.0 - cos_i), power);
+    float rise = f90 - f0;
+    return f0 + rise * pow(abs(1.0 - cos_i), power);
 }
 
 float schlick_power(float f0, float f90, float power, float3 normal, float3 direction) {
@@ -841,7 +793,8 @@ float schlick_power(float f0, float f90, float power, float3 normal, float3 dire
 
 // The same for three channels, which share the angle.
 float3 schlick_power(float3 f0, float3 f90, float3 power, float cos_i) {
-    return f0 + (f90 - f0) * pow(abs((float3)(1.0 - cos_i)), power);
+    float3 rise = f90 - f0;
+    return f0 + rise * pow(abs((float3)(1.0 - cos_i)), power);
 }
 
 float3 schlick_power(float3 f0, float3 f90, float3 power, float3 normal, float3 direction) {
@@ -855,16 +808,16 @@ float3 schlick_power(float3 f0, float3 f90, float3 power, float3 normal, float3 
 // n       index relative to the medium in front, [0.001, 1000]
 // k       its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.255, certified: n in [0.1, 4], k in [1, 8]
+// error   at most 0.255, certified for n in [0.1, 4], k in [1, 8]
 // cost    19 operations
 // source  Lazanyi and Szirmay-Kalos 2005, Fresnel Term Approximations for Metals
 float schlick_nk(float n, float k, float cos_i) {
-    float m = 1.0 - cos_i;
+    float x = 1.0 - cos_i;
     float n_minus_1 = n - 1.0;
     float k2 = k * k;
-    float m2 = m * m;
+    float x2 = x * x;
     float n_plus_1 = n + 1.0;
-    return min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (m2 * m2 * m)) / (n_plus_1 * n_plus_1 + k2), 1.0);
+    return min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (x2 * x2 * x)) / (n_plus_1 * n_plus_1 + k2), 1.0);
 }
 
 float schlick_nk(float n, float k, float3 normal, float3 direction) {
@@ -873,12 +826,12 @@ float schlick_nk(float n, float k, float3 normal, float3 direction) {
 
 // The same for three channels, which share the angle.
 float3 schlick_nk(float3 n, float3 k, float cos_i) {
-    float m = 1.0 - cos_i;
+    float x = 1.0 - cos_i;
     float3 n_minus_1 = n - 1.0;
     float3 k2 = k * k;
-    float m2 = m * m;
+    float x2 = x * x;
     float3 n_plus_1 = n + 1.0;
-    return min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (m2 * m2 * m)) / (n_plus_1 * n_plus_1 + k2),
+    return min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (x2 * x2 * x)) / (n_plus_1 * n_plus_1 + k2),
             (float3)1.0);
 }
 
@@ -892,19 +845,19 @@ float3 schlick_nk(float3 n, float3 k, float3 normal, float3 direction) {
 //
 // eta     n_t / n_i, [0.01, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0824, certified: 1 / eta in [1.3, 2.5], from inside
+// error   at most 0.0824, certified for 1 / eta in [1.3, 2.5], from inside
 // cost    28 operations
 // source  Lagarde 2013, Memo on Fresnel equations
 float schlick_internal(float eta, float cos_i) {
     float eta_minus_1 = eta - 1.0;
     float eta_plus_1 = eta + 1.0;
-    float t = eta_minus_1 / eta_plus_1;
-    float f0 = t * t;
+    float r = eta_minus_1 / eta_plus_1; // amplitude
+    float f0 = r * r;
     float g2 = eta_minus_1 * eta_plus_1 + cos_i * cos_i;
     float cos_t = g2 <= 0.0 ? 0.0 : min(sqrt(g2) / eta, 1.0);
-    float m = 1.0 - cos_t;
-    float m2 = m * m;
-    return f0 + (1.0 - f0) * (m2 * m2 * m);
+    float x = 1.0 - cos_t;
+    float x2 = x * x;
+    return f0 + (1.0 - f0) * (x2 * x2 * x);
 }
 
 float schlick_internal(float eta, float3 normal, float3 direction) {
@@ -913,8 +866,9 @@ float schlick_internal(float eta, float3 normal, float3 direction) {
 
 // The same for three channels, which share the angle.
 float3 schlick_internal(float3 eta, float cos_i) {
-    return float3(schlick_internal(eta.x, cos_i), schlick_internal(eta.y, cos_i),
-            schlick_internal(eta.z, cos_i));
+    return float3(schlick_internal(eta.x, cos_i),
+                  schlick_internal(eta.y, cos_i),
+                  schlick_internal(eta.z, cos_i));
 }
 
 float3 schlick_internal(float3 eta, float3 normal, float3 direction) {
@@ -927,7 +881,7 @@ float3 schlick_internal(float3 eta, float3 normal, float3 direction) {
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0846, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0846, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    10 operations
 // source  Lagarde 2012, Spherical Gaussian approximation for Blinn-Phong, Phong and Fresnel
 float spherical_gaussian(float f0, float cos_i) {
@@ -955,13 +909,13 @@ float3 spherical_gaussian(float3 f0, float3 normal, float3 direction) {
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0708, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0708, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    6 operations
 // source  photometric.io, Improving Schlick's Approximation
 float photometric(float f0, float cos_i) {
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    return f0 + (m - f0) * (m2 * m2);
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    return f0 + (x - f0) * (x2 * x2);
 }
 
 float photometric(float f0, float3 normal, float3 direction) {
@@ -970,9 +924,9 @@ float photometric(float f0, float3 normal, float3 direction) {
 
 // The same for three channels, which share the angle.
 float3 photometric(float3 f0, float cos_i) {
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    return f0 + (m - f0) * (m2 * m2);
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    return f0 + (x - f0) * (x2 * x2);
 }
 
 float3 photometric(float3 f0, float3 normal, float3 direction) {
@@ -985,14 +939,14 @@ float3 photometric(float3 f0, float3 normal, float3 direction) {
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0363, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0363, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    8 operations
 // source  this library
 float powers_4_8(float f0, float cos_i) {
-    float one_minus_cos_i = 1.0 - cos_i;
-    float t = one_minus_cos_i * one_minus_cos_i;
-    float m4 = t * t;
-    return f0 + m4 * (0.55 - f0 + 0.45 * m4);
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    float x4 = x2 * x2;
+    return f0 + x4 * (0.55 - f0 + 0.45 * x4);
 }
 
 float powers_4_8(float f0, float3 normal, float3 direction) {
@@ -1001,10 +955,10 @@ float powers_4_8(float f0, float3 normal, float3 direction) {
 
 // The same for three channels, which share the angle.
 float3 powers_4_8(float3 f0, float cos_i) {
-    float one_minus_cos_i = 1.0 - cos_i;
-    float t = one_minus_cos_i * one_minus_cos_i;
-    float m4 = t * t;
-    return f0 + m4 * (0.55 - f0 + 0.45 * m4);
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    float x4 = x2 * x2;
+    return f0 + x4 * (0.55 - f0 + 0.45 * x4);
 }
 
 float3 powers_4_8(float3 f0, float3 normal, float3 direction) {
@@ -1017,14 +971,14 @@ float3 powers_4_8(float3 f0, float3 normal, float3 direction) {
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0328, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0328, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    13 operations
 // source  this library
 float powers_3_9(float f0, float cos_i) {
     float a = max(0.46, f0);
-    float m = 1.0 - cos_i;
-    float m3 = m * m * m;
-    return saturate(f0 + m3 * (a - f0 + (1.0 - a) * (m3 * m3)));
+    float x = 1.0 - cos_i;
+    float x3 = x * x * x;
+    return saturate(f0 + x3 * (a - f0 + (1.0 - a) * (x3 * x3)));
 }
 
 float powers_3_9(float f0, float3 normal, float3 direction) {
@@ -1034,9 +988,9 @@ float powers_3_9(float f0, float3 normal, float3 direction) {
 // The same for three channels, which share the angle.
 float3 powers_3_9(float3 f0, float cos_i) {
     float3 a = max((float3)0.46, f0);
-    float m = 1.0 - cos_i;
-    float m3 = m * m * m;
-    return saturate(f0 + m3 * (a - f0 + (1.0 - a) * (m3 * m3)));
+    float x = 1.0 - cos_i;
+    float x3 = x * x * x;
+    return saturate(f0 + x3 * (a - f0 + (1.0 - a) * (x3 * x3)));
 }
 
 float3 powers_3_9(float3 f0, float3 normal, float3 direction) {
@@ -1050,16 +1004,16 @@ float3 powers_3_9(float3 f0, float3 normal, float3 direction) {
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.00713, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.00713, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    27 operations
 // source  this library
 float powers_3_6_9(float f0, float cos_i) {
-    float s = sqrt(f0 + 8.271806e-25);
+    float s = sqrt(f0 + 8.271806e-25); // 2^-80 keeps the slope at f0 = 0 finite
     float p = 2.90623 * s - 0.02379 - 4.78491 * f0;
     float q = 0.43137 - 0.58931 * s - 2.31299 * f0;
     float r = 1.0 - f0 - p - q;
-    float m = 1.0 - cos_i;
-    float y = m * m * m;
+    float x = 1.0 - cos_i;
+    float y = x * x * x;
     return saturate(f0 + y * (p + y * (q + y * r)));
 }
 
@@ -1069,12 +1023,12 @@ float powers_3_6_9(float f0, float3 normal, float3 direction) {
 
 // The same for three channels, which share the angle.
 float3 powers_3_6_9(float3 f0, float cos_i) {
-    float3 s = sqrt(f0 + 8.271806e-25);
+    float3 s = sqrt(f0 + 8.271806e-25); // 2^-80 keeps the slope at f0 = 0 finite
     float3 p = 2.90623 * s - 0.02379 - 4.78491 * f0;
     float3 q = 0.43137 - 0.58931 * s - 2.31299 * f0;
     float3 r = 1.0 - f0 - p - q;
-    float m = 1.0 - cos_i;
-    float y = m * m * m;
+    float x = 1.0 - cos_i;
+    float y = x * x * x;
     return saturate(f0 + y * (p + y * (q + y * r)));
 }
 
@@ -1087,7 +1041,7 @@ float3 powers_3_6_9(float3 f0, float3 normal, float3 direction) {
 //   F = 1 - cos_i
 //
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.542, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.542, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    1 operations
 // source  Wloka 2002, Fresnel Reflection, fig. 4
 float one_minus_cos(float cos_i) {
@@ -1104,7 +1058,7 @@ float one_minus_cos(float3 normal, float3 direction) {
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.983, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.983, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    0 operations
 // source  no Fresnel effect
 float constant(float f0, float cos_i) {
@@ -1132,19 +1086,19 @@ float3 constant(float3 f0, float3 normal, float3 direction) {
 // n       index relative to the medium in front, [0.001, 1000]
 // k       its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0638, certified: n in [0.1, 4], k in [1, 8]
+// error   at most 0.0638, certified for n in [0.1, 4], k in [1, 8]
 // cost    26 operations
 // source  Pharr and Humphreys, Physically Based Rendering; Lagarde 2013
 float air_conductor(float n, float k, float cos_i) {
     float k2 = k * k;
-    float t = n - cos_i;
-    float t_2 = n + cos_i;
-    float R_s = (t * t + k2) / (t_2 * t_2 + k2);
-    float t_3 = n * cos_i;
-    float t_3_minus_1 = t_3 - 1.0;
-    float t_4 = k2 * (cos_i * cos_i);
-    float t_3_plus_1 = t_3 + 1.0;
-    float R_p = (t_3_minus_1 * t_3_minus_1 + t_4) / (t_3_plus_1 * t_3_plus_1 + t_4);
+    float n_minus_c = n - cos_i;
+    float n_plus_c = n + cos_i;
+    float R_s = (n_minus_c * n_minus_c + k2) / (n_plus_c * n_plus_c + k2);
+    float nc = n * cos_i;
+    float kc2 = k2 * (cos_i * cos_i);
+    float nc_minus_1 = nc - 1.0;
+    float nc_plus_1 = nc + 1.0;
+    float R_p = (nc_minus_1 * nc_minus_1 + kc2) / (nc_plus_1 * nc_plus_1 + kc2);
     return (R_s + R_p) / 2.0;
 }
 
@@ -1155,14 +1109,14 @@ float air_conductor(float n, float k, float3 normal, float3 direction) {
 // The same for three channels, which share the angle.
 float3 air_conductor(float3 n, float3 k, float cos_i) {
     float3 k2 = k * k;
-    float3 t = n - cos_i;
-    float3 t_2 = n + cos_i;
-    float3 R_s = (t * t + k2) / (t_2 * t_2 + k2);
-    float3 t_3 = n * cos_i;
-    float3 t_3_minus_1 = t_3 - 1.0;
-    float3 t_4 = k2 * (cos_i * cos_i);
-    float3 t_3_plus_1 = t_3 + 1.0;
-    float3 R_p = (t_3_minus_1 * t_3_minus_1 + t_4) / (t_3_plus_1 * t_3_plus_1 + t_4);
+    float3 n_minus_c = n - cos_i;
+    float3 n_plus_c = n + cos_i;
+    float3 R_s = (n_minus_c * n_minus_c + k2) / (n_plus_c * n_plus_c + k2);
+    float3 nc = n * cos_i;
+    float3 kc2 = k2 * (cos_i * cos_i);
+    float3 nc_minus_1 = nc - 1.0;
+    float3 nc_plus_1 = nc + 1.0;
+    float3 R_p = (nc_minus_1 * nc_minus_1 + kc2) / (nc_plus_1 * nc_plus_1 + kc2);
     return (R_s + R_p) / 2.0;
 }
 
@@ -1179,17 +1133,17 @@ float3 air_conductor(float3 n, float3 k, float3 normal, float3 direction) {
 // a       depth of the dip, about 2 n, [0, 2000]
 // alpha   sharpness of the dip, [0.1, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.045, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.045, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    33 operations
 // source  Lazanyi and Szirmay-Kalos 2005, Fresnel Term Approximations for Metals
 float lazanyi(float n, float k, float a, float alpha, float cos_i) {
-    float m = 1.0 - cos_i;
+    float x = 1.0 - cos_i;
     float n_minus_1 = n - 1.0;
     float k2 = k * k;
-    float m2 = m * m;
+    float x2 = x * x;
     float n_plus_1 = n + 1.0;
-    return saturate(min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (m2 * m2 * m)) / (n_plus_1 * n_plus_1 + k2),
-            1.0) - a * cos_i * pow(abs(m), alpha));
+    float F = min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (x2 * x2 * x)) / (n_plus_1 * n_plus_1 + k2), 1.0);
+    return saturate(F - a * cos_i * pow(abs(x), alpha));
 }
 
 float lazanyi(float n, float k, float a, float alpha, float3 normal, float3 direction) {
@@ -1198,13 +1152,14 @@ float lazanyi(float n, float k, float a, float alpha, float3 normal, float3 dire
 
 // The same for three channels, which share the angle.
 float3 lazanyi(float3 n, float3 k, float3 a, float3 alpha, float cos_i) {
-    float m = 1.0 - cos_i;
+    float x = 1.0 - cos_i;
     float3 n_minus_1 = n - 1.0;
     float3 k2 = k * k;
-    float m2 = m * m;
+    float x2 = x * x;
     float3 n_plus_1 = n + 1.0;
-    return saturate(min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (m2 * m2 * m)) / (n_plus_1 * n_plus_1 + k2),
-            (float3)1.0) - a * cos_i * pow(abs((float3)m), alpha));
+    float3 F = min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (x2 * x2 * x)) / (n_plus_1 * n_plus_1 + k2),
+            (float3)1.0);
+    return saturate(F - a * cos_i * pow(abs((float3)x), alpha));
 }
 
 float3 lazanyi(float3 n, float3 k, float3 a, float3 alpha, float3 normal, float3 direction) {
@@ -1218,22 +1173,24 @@ float3 lazanyi(float3 n, float3 k, float3 a, float3 alpha, float3 normal, float3
 // r       reflectance at normal incidence, [0, 1]
 // g       edge tint, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 1e-13, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 1e-13, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    99 operations
 // source  Gulbrandsen 2014, Artist Friendly Metallic Fresnel
 float gulbrandsen(float r, float g, float cos_i) {
-    float f0 = min(r, 0.9999) + 8.271806e-25;
-    float t = 1.0 + sqrt(f0);
-    float t_2 = t * t;
+    float f0 = min(r, 0.9999) + 8.271806e-25; // 2^-80 keeps its root's slope finite
+    float p = 1.0 + sqrt(f0);
+    float p2 = p * p;
     float one_minus_f0 = 1.0 - f0;
-    float n_max = t_2 / one_minus_f0;
+    float n_max = p2 / one_minus_f0;
     float n_min = one_minus_f0 / (1.0 + f0);
     float n = n_max * (1.0 - g) + n_min * g;
-    float k = sqrt(max((n_max - n) * (n - one_minus_f0 / t_2), 0.0) + 8.271806e-25);
+    float k = sqrt(max((n_max - n) * (n - one_minus_f0 / p2), 0.0) + 8.271806e-25);
     float c2 = cos_i * cos_i;
     float sin2 = 1.0 - c2;
     float s4 = sin2 * sin2;
-    float E = (n - 1.0) * (n + 1.0) - k * k; // Re m^2 - 1
+
+    // Snell
+    float E = (n - 1.0) * (n + 1.0) - k * k; // Re m^2 - n_i^2, m the complex index
     float Z = 2.0 * (n * k); // Im m^2
     float Z2 = Z * Z;
     float t0 = E + c2; // q^2 = t0 + i Z
@@ -1241,18 +1198,22 @@ float gulbrandsen(float r, float g, float cos_i) {
     float S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
     float u = sqrt(2.0 * S); // twice the larger of Re q and Im q
     float a = t0 <= 0.0 ? Z : S; // u Re q
+
+    // s-polarised, across the plane of incidence
     float h = 2.0 * (a * cos_i);
-    float F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
+    float F = (E * E + Z2) * S; // S |c - q|^2 |c + q|^2
     float G_s = (A + c2) * u + h;
-    float D_s = max(F + h * G_s, 1.1754944e-38); // |c + q|^4; 0 only for equal media at cos_i = 0
+    float D_s = max(F + h * G_s, 1.1754944e-38); // S |c + q|^4; 0 only for equal media at cos_i = 0
     float R_s = F / D_s;
+
+    // p-polarised, along it
     float h_p = h * sin2;
     float N = t0 * c2 - s4;
     float M = Z * c2;
     float M2 = M * M + 8.4703295e-22; // above 0, so that D_p is
-    float B = (N * N + M2) * S; // |q c - s^2|^2 |q c + s^2|^2
+    float B = (N * N + M2) * S; // S |q c - s^2|^2 |q c + s^2|^2
     float G_p = (A * c2 + s4) * u + h_p;
-    float D_p = B + h_p * G_p; // |q c + s^2|^4
+    float D_p = B + h_p * G_p; // S |q c + s^2|^4
     float R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0;
 }
@@ -1277,17 +1238,17 @@ float3 gulbrandsen(float3 r, float3 g, float3 normal, float3 direction) {
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0517, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0517, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    17 operations
 // source  Hoffman 2019, Fresnel Equations Considered Harmful
 float f82(float f0, float f82_, float cos_i) {
     float one_minus_f0 = 1.0 - f0;
-    float at_82 = f0 + one_minus_f0 * 0.46266437;
-    float b = (at_82 - f82_) * 17.651384;
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    float m5 = m2 * m2 * m;
-    return saturate(f0 + one_minus_f0 * m5 - b * cos_i * (m5 * m));
+    float at_82 = f0 + one_minus_f0 * 0.46266437; // Schlick's curve at cos_i = 1/7: x^5 is (6/7)^5
+    float b = (at_82 - f82_) * 17.651384; // divided by c x^6 at cos_i = 1/7
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    float x5 = x2 * x2 * x;
+    return saturate(f0 + one_minus_f0 * x5 - b * cos_i * (x5 * x));
 }
 
 float f82(float f0, float f82_, float3 normal, float3 direction) {
@@ -1297,12 +1258,12 @@ float f82(float f0, float f82_, float3 normal, float3 direction) {
 // The same for three channels, which share the angle.
 float3 f82(float3 f0, float3 f82_, float cos_i) {
     float3 one_minus_f0 = 1.0 - f0;
-    float3 at_82 = f0 + one_minus_f0 * 0.46266437;
-    float3 b = (at_82 - f82_) * 17.651384;
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    float m5 = m2 * m2 * m;
-    return saturate(f0 + one_minus_f0 * m5 - b * cos_i * (m5 * m));
+    float3 at_82 = f0 + one_minus_f0 * 0.46266437; // Schlick's curve at cos_i = 1/7: x^5 is (6/7)^5
+    float3 b = (at_82 - f82_) * 17.651384; // divided by c x^6 at cos_i = 1/7
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    float x5 = x2 * x2 * x;
+    return saturate(f0 + one_minus_f0 * x5 - b * cos_i * (x5 * x));
 }
 
 float3 f82(float3 f0, float3 f82_, float3 normal, float3 direction) {
@@ -1316,17 +1277,17 @@ float3 f82(float3 f0, float3 f82_, float3 normal, float3 direction) {
 // f0      reflectance at normal incidence, [0, 1]
 // tint    f82 over that of Schlick, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0517, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0517, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    18 operations
 // source  Kutz, Hasan and Edmondson 2021, Novel aspects of the Adobe Standard Material
 float f82_tint(float f0, float tint, float cos_i) {
     float one_minus_f0 = 1.0 - f0;
-    float at_82 = f0 + one_minus_f0 * 0.46266437;
-    float b = at_82 * (1.0 - tint) * 17.651384;
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    float m5 = m2 * m2 * m;
-    return saturate(f0 + one_minus_f0 * m5 - b * cos_i * (m5 * m));
+    float at_82 = f0 + one_minus_f0 * 0.46266437; // Schlick's curve at cos_i = 1/7: x^5 is (6/7)^5
+    float b = at_82 * (1.0 - tint) * 17.651384; // divided by c x^6 at cos_i = 1/7
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    float x5 = x2 * x2 * x;
+    return saturate(f0 + one_minus_f0 * x5 - b * cos_i * (x5 * x));
 }
 
 float f82_tint(float f0, float tint, float3 normal, float3 direction) {
@@ -1336,12 +1297,12 @@ float f82_tint(float f0, float tint, float3 normal, float3 direction) {
 // The same for three channels, which share the angle.
 float3 f82_tint(float3 f0, float3 tint, float cos_i) {
     float3 one_minus_f0 = 1.0 - f0;
-    float3 at_82 = f0 + one_minus_f0 * 0.46266437;
-    float3 b = at_82 * (1.0 - tint) * 17.651384;
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    float m5 = m2 * m2 * m;
-    return saturate(f0 + one_minus_f0 * m5 - b * cos_i * (m5 * m));
+    float3 at_82 = f0 + one_minus_f0 * 0.46266437; // Schlick's curve at cos_i = 1/7: x^5 is (6/7)^5
+    float3 b = at_82 * (1.0 - tint) * 17.651384; // divided by c x^6 at cos_i = 1/7
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    float x5 = x2 * x2 * x;
+    return saturate(f0 + one_minus_f0 * x5 - b * cos_i * (x5 * x));
 }
 
 float3 f82_tint(float3 f0, float3 tint, float3 normal, float3 direction) {
@@ -1357,16 +1318,16 @@ float3 f82_tint(float3 f0, float3 tint, float3 normal, float3 direction) {
 // f90     reflectance at grazing incidence, [0, 1]
 // power   sharpness of the rise, [0.1, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0184, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0184, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    34 operations
 // source  Hoffman 2019, Fresnel Equations Considered Harmful; MaterialX
 float hoffman(float f0, float f82, float f90, float power, float cos_i) {
-    float t = f90 - f0;
-    float at_82 = f0 + t * pow(abs(0.85714287), power);
-    float b = (at_82 - f82) * 17.651384;
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    return saturate(f0 + t * pow(abs(m), power) - b * cos_i * (m2 * m2 * m2));
+    float rise = f90 - f0;
+    float at_82 = f0 + rise * pow(0.85714287, power); // at cos_i = 1/7: x is 6/7
+    float b = (at_82 - f82) * 17.651384; // divided by c x^6 at cos_i = 1/7
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    return saturate(f0 + rise * pow(abs(x), power) - b * cos_i * (x2 * x2 * x2));
 }
 
 float hoffman(float f0, float f82, float f90, float power, float3 normal, float3 direction) {
@@ -1375,12 +1336,12 @@ float hoffman(float f0, float f82, float f90, float power, float3 normal, float3
 
 // The same for three channels, which share the angle.
 float3 hoffman(float3 f0, float3 f82, float3 f90, float3 power, float cos_i) {
-    float3 t = f90 - f0;
-    float3 at_82 = f0 + t * pow(abs((float3)0.85714287), power);
-    float3 b = (at_82 - f82) * 17.651384;
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    return saturate(f0 + t * pow(abs((float3)m), power) - b * cos_i * (m2 * m2 * m2));
+    float3 rise = f90 - f0;
+    float3 at_82 = f0 + rise * pow((float3)0.85714287, power); // at cos_i = 1/7: x is 6/7
+    float3 b = (at_82 - f82) * 17.651384; // divided by c x^6 at cos_i = 1/7
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    return saturate(f0 + rise * pow(abs((float3)x), power) - b * cos_i * (x2 * x2 * x2));
 }
 
 float3 hoffman(float3 f0, float3 f82, float3 f90, float3 power, float3 normal, float3 direction) {
@@ -1394,17 +1355,17 @@ float3 hoffman(float3 f0, float3 f82, float3 f90, float3 power, float3 normal, f
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0342, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0342, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    16 operations
 // source  this library
 float powers_4_12(float f0, float f82, float cos_i) {
     float one_minus_f0 = 1.0 - f0;
-    float rise = one_minus_f0 - (f82 - f0) * 1.8526235;
-    float q = rise * 1.4111481;
-    float one_minus_cos_i = 1.0 - cos_i;
-    float t = one_minus_cos_i * one_minus_cos_i;
-    float m4 = t * t;
-    return saturate(f0 + m4 * (one_minus_f0 - q + q * (m4 * m4)));
+    float rise = one_minus_f0 - (f82 - f0) * 1.8526235; // 1 / x^4 at cos_i = 1/7: (7/6)^4
+    float q = rise * 1.4111481; // 1 / (1 - x^8) there
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    float x4 = x2 * x2;
+    return saturate(f0 + x4 * (one_minus_f0 - q + q * (x4 * x4)));
 }
 
 float powers_4_12(float f0, float f82, float3 normal, float3 direction) {
@@ -1414,12 +1375,12 @@ float powers_4_12(float f0, float f82, float3 normal, float3 direction) {
 // The same for three channels, which share the angle.
 float3 powers_4_12(float3 f0, float3 f82, float cos_i) {
     float3 one_minus_f0 = 1.0 - f0;
-    float3 rise = one_minus_f0 - (f82 - f0) * 1.8526235;
-    float3 q = rise * 1.4111481;
-    float one_minus_cos_i = 1.0 - cos_i;
-    float t = one_minus_cos_i * one_minus_cos_i;
-    float m4 = t * t;
-    return saturate(f0 + m4 * (one_minus_f0 - q + q * (m4 * m4)));
+    float3 rise = one_minus_f0 - (f82 - f0) * 1.8526235; // 1 / x^4 at cos_i = 1/7: (7/6)^4
+    float3 q = rise * 1.4111481; // 1 / (1 - x^8) there
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    float x4 = x2 * x2;
+    return saturate(f0 + x4 * (one_minus_f0 - q + q * (x4 * x4)));
 }
 
 float3 powers_4_12(float3 f0, float3 f82, float3 normal, float3 direction) {
@@ -1433,7 +1394,7 @@ float3 powers_4_12(float3 f0, float3 f82, float3 normal, float3 direction) {
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0357, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0357, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    23 operations
 // source  this library
 float powers_2_8_16(float f0, float f82, float cos_i) {
@@ -1442,11 +1403,11 @@ float powers_2_8_16(float f0, float f82, float cos_i) {
     float c2 = 1.04343 * dip - 0.2752 * rise;
     float c8 = 1.55944 * dip + 0.45498 * rise;
     float c16 = 0.82022 * rise - 2.60287 * dip;
-    float one_minus_cos_i = 1.0 - cos_i;
-    float m2 = one_minus_cos_i * one_minus_cos_i;
-    float m2_2 = m2 * m2;
-    float m8 = m2_2 * m2_2;
-    return saturate(f0 + c2 * m2 + m8 * (c8 + c16 * m8));
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    float x4 = x2 * x2;
+    float x8 = x4 * x4;
+    return saturate(f0 + c2 * x2 + x8 * (c8 + c16 * x8));
 }
 
 float powers_2_8_16(float f0, float f82, float3 normal, float3 direction) {
@@ -1460,11 +1421,11 @@ float3 powers_2_8_16(float3 f0, float3 f82, float cos_i) {
     float3 c2 = 1.04343 * dip - 0.2752 * rise;
     float3 c8 = 1.55944 * dip + 0.45498 * rise;
     float3 c16 = 0.82022 * rise - 2.60287 * dip;
-    float one_minus_cos_i = 1.0 - cos_i;
-    float m2 = one_minus_cos_i * one_minus_cos_i;
-    float m2_2 = m2 * m2;
-    float m8 = m2_2 * m2_2;
-    return saturate(f0 + c2 * m2 + m8 * (c8 + c16 * m8));
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    float x4 = x2 * x2;
+    float x8 = x4 * x4;
+    return saturate(f0 + c2 * x2 + x8 * (c8 + c16 * x8));
 }
 
 float3 powers_2_8_16(float3 f0, float3 f82, float3 normal, float3 direction) {
@@ -1481,7 +1442,7 @@ float3 powers_2_8_16(float3 f0, float3 f82, float3 normal, float3 direction) {
 // scale   strength of the rim, [-10, 10]
 // power   sharpness of the rise, [0.1, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.275, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.275, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    14 operations
 // source  Fernando and Kilgard 2003, The Cg Tutorial, ch. 7; Halladay 2014, Fresnel Shading
 float bias_scale_power(float bias, float scale, float power, float cos_i) {

@@ -52,7 +52,8 @@ export const reflectedDirection = /*@__PURE__*/ native(/* wgsl */ `
 // direction where the light comes from, or the eye is; unit, on the side of normal
 // normal    unit
 fn reflected_direction(direction: vec3f, normal: vec3f) -> vec3f {
-    return 2.0 * dot(normal, direction) * normal - direction;
+    let d = 2.0 * dot(normal, direction);
+    return d * normal - direction;
 }
 `, /* glsl */ `
 // The mirror direction, on the side of normal.
@@ -62,7 +63,8 @@ fn reflected_direction(direction: vec3f, normal: vec3f) -> vec3f {
 // direction where the light comes from, or the eye is; unit, on the side of normal
 // normal    unit
 vec3 reflected_direction(vec3 direction, vec3 normal) {
-    return 2.0 * dot(normal, direction) * normal - direction;
+    float d = 2.0 * dot(normal, direction);
+    return d * normal - direction;
 }
 `, []);
 
@@ -171,8 +173,8 @@ export const f0FromEta = /*@__PURE__*/ native(/* wgsl */ `
 //
 // eta       n_t / n_i, above 0
 fn f0_from_eta(eta: f32) -> f32 {
-    let t = (eta - 1.0) / (eta + 1.0);
-    return t * t;
+    let r = (eta - 1.0) / (eta + 1.0); // amplitude
+    return r * r;
 }
 `, /* glsl */ `
 // Reflectance at normal incidence.
@@ -181,8 +183,8 @@ fn f0_from_eta(eta: f32) -> f32 {
 //
 // eta       n_t / n_i, above 0
 float f0_from_eta(float eta) {
-    float t = (eta - 1.0) / (eta + 1.0);
-    return t * t;
+    float r = (eta - 1.0) / (eta + 1.0); // amplitude
+    return r * r;
 }
 `, []);
 
@@ -193,8 +195,8 @@ export const etaFromF0 = /*@__PURE__*/ native(/* wgsl */ `
 //
 // f0        reflectance at normal incidence, [0, 1)
 fn eta_from_f0(f0: f32) -> f32 {
-    let t = 1.0 + sqrt(f0);
-    return t * t / (1.0 - f0);
+    let p = 1.0 + sqrt(f0);
+    return p * p / (1.0 - f0);
 }
 `, /* glsl */ `
 // The relative index above 1 that has this f0.
@@ -203,8 +205,8 @@ fn eta_from_f0(f0: f32) -> f32 {
 //
 // f0        reflectance at normal incidence, [0, 1)
 float eta_from_f0(float f0) {
-    float t = 1.0 + sqrt(f0);
-    return t * t / (1.0 - f0);
+    float p = 1.0 + sqrt(f0);
+    return p * p / (1.0 - f0);
 }
 `, []);
 
@@ -238,9 +240,9 @@ export const opacityFresnel = /*@__PURE__*/ native(/* wgsl */ `
 // a0        opacity by reflection seen along the normal, [0, 1]
 // cos_i     cosine between view and normal, [0, 1]
 fn opacity_fresnel(a0: f32, cos_i: f32) -> f32 {
-    let m = 1.0 - cos_i;
-    let m2 = m * m;
-    return a0 + (1.0 - a0) * (m2 * m2 * m);
+    let x = 1.0 - cos_i;
+    let x2 = x * x;
+    return a0 + (1.0 - a0) * (x2 * x2 * x);
 }
 `, /* glsl */ `
 // Opacity by reflection: from the user's value to 1 at the silhouette.
@@ -250,9 +252,9 @@ fn opacity_fresnel(a0: f32, cos_i: f32) -> f32 {
 // a0        opacity by reflection seen along the normal, [0, 1]
 // cos_i     cosine between view and normal, [0, 1]
 float opacity_fresnel(float a0, float cos_i) {
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    return a0 + (1.0 - a0) * (m2 * m2 * m);
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    return a0 + (1.0 - a0) * (x2 * x2 * x);
 }
 `, []);
 
@@ -322,6 +324,108 @@ float opacity_total(float attenuation, float fresnel) {
 }
 `, []);
 
+export const twoSum = /*@__PURE__*/ native(/* wgsl */ `
+// a + b without rounding error: x is the rounded sum, y what it lacks (Knuth 1969).
+// Right only where the compiler does not rearrange: no fast math, precise where the language has it.
+fn two_sum(a: f32, b: f32) -> vec2f {
+    let sum = a + b;
+    let b_part = sum - a;
+    return vec2f(sum, a - (sum - b_part) + (b - b_part));
+}
+`, /* glsl */ `
+// a + b without rounding error: x is the rounded sum, y what it lacks (Knuth 1969).
+// Right only where the compiler does not rearrange: no fast math, precise where the language has it.
+vec2 two_sum(float a, float b) {
+    float sum = a + b;
+    float b_part = sum - a;
+    return vec2(sum, a - (sum - b_part) + (b - b_part));
+}
+`, []);
+
+export const halves = /*@__PURE__*/ native(/* wgsl */ `
+// a = x + y, half of its digits in each, so that products of halves are exact (Veltkamp 1968).
+fn halves(a: f32) -> vec2f {
+    let scaled = 4097.0 * a;
+    let hi = scaled - (scaled - a);
+    return vec2f(hi, a - hi);
+}
+`, /* glsl */ `
+// a = x + y, half of its digits in each, so that products of halves are exact (Veltkamp 1968).
+vec2 halves(float a) {
+    float scaled = 4097.0 * a;
+    float hi = scaled - (scaled - a);
+    return vec2(hi, a - hi);
+}
+`, []);
+
+export const twoProduct = /*@__PURE__*/ native(/* wgsl */ `
+// a b without rounding error: x is the rounded product, y what it lacks (Dekker 1971).
+fn two_product(a: f32, b: f32) -> vec2f {
+    let product = a * b;
+    let p = halves(a);
+    let q = halves(b);
+    let over = p.x * q.y;
+    let under = p.y * q.x;
+    let error = p.x * q.x - product + over + under + p.y * q.y;
+    return vec2f(product, error);
+}
+`, /* glsl */ `
+// a b without rounding error: x is the rounded product, y what it lacks (Dekker 1971).
+vec2 two_product(float a, float b) {
+    float product = a * b;
+    vec2 p = halves(a);
+    vec2 q = halves(b);
+    float over = p.x * q.y;
+    float under = p.y * q.x;
+    float error = p.x * q.x - product + over + under + p.y * q.y;
+    return vec2(product, error);
+}
+`, [halves]);
+
+export const twofoldSum = /*@__PURE__*/ native(/* wgsl */ `
+// a + b, where each number is a sum x + y with twice the digits of a float.
+fn twofold_sum(a: vec2f, b: vec2f) -> vec2f {
+    let s = two_sum(a.x, b.x);
+    let t = two_sum(a.y, b.y);
+    let u = two_sum(s.x, s.y + t.x);
+    return two_sum(u.x, u.y + t.y);
+}
+`, /* glsl */ `
+// a + b, where each number is a sum x + y with twice the digits of a float.
+vec2 twofold_sum(vec2 a, vec2 b) {
+    vec2 s = two_sum(a.x, b.x);
+    vec2 t = two_sum(a.y, b.y);
+    vec2 u = two_sum(s.x, s.y + t.x);
+    return two_sum(u.x, u.y + t.y);
+}
+`, [twoSum]);
+
+export const twofoldDifference = /*@__PURE__*/ native(/* wgsl */ `
+// a - b of such numbers.
+fn twofold_difference(a: vec2f, b: vec2f) -> vec2f {
+    return twofold_sum(a, -b);
+}
+`, /* glsl */ `
+// a - b of such numbers.
+vec2 twofold_difference(vec2 a, vec2 b) {
+    return twofold_sum(a, -b);
+}
+`, [twofoldSum]);
+
+export const twofoldProduct = /*@__PURE__*/ native(/* wgsl */ `
+// a b of such numbers.
+fn twofold_product(a: vec2f, b: vec2f) -> vec2f {
+    let p = two_product(a.x, b.x);
+    return two_sum(p.x, p.y + (a.x * b.y + a.y * b.x));
+}
+`, /* glsl */ `
+// a b of such numbers.
+vec2 twofold_product(vec2 a, vec2 b) {
+    vec2 p = two_product(a.x, b.x);
+    return two_sum(p.x, p.y + (a.x * b.y + a.y * b.x));
+}
+`, [twoSum, twoProduct]);
+
 export const dielectric = /*@__PURE__*/ native(/* wgsl */ `
 // Exact reflectance between two transparent media, accurate in float everywhere.
 //
@@ -337,15 +441,21 @@ export const dielectric = /*@__PURE__*/ native(/* wgsl */ `
 fn dielectric(n_i: f32, n_t: f32, cos_i: f32) -> f32 {
     let c = n_i * cos_i;
     let s2 = n_i * (1.0 - cos_i * cos_i);
-    let E = (n_t - n_i) * (n_t + n_i); // eta^2 - 1
-    let g2 = E + c * c; // below 0 under total internal reflection
-    let g = sqrt(max(g2, 1.1754944e-38)); // eta cos_t; so little there that R is 1
+    let E = (n_t - n_i) * (n_t + n_i); // n_t^2 - n_i^2
+
+    // Snell
+    let g2 = E + c * c; // below 0 beyond the critical angle
+    let g = sqrt(max(g2, 1.1754944e-38)); // n_t cos_t; beyond it so small that R is 1
+
+    // s-polarised, across the plane of incidence
     let E2 = E * E;
     let cg = c * g;
     let a = 2.0 * (g + c);
     let a2 = a * a;
     let D_s = max(E2 + cg * a2, 1.1754944e-38); // 0 only for equal media at cos_i = 0
     let R_s = E2 / D_s;
+
+    // p-polarised, along it
     let x = cos_i * g;
     let b = x + s2;
     let q = (x - s2) / b;
@@ -367,15 +477,21 @@ fn dielectric(n_i: f32, n_t: f32, cos_i: f32) -> f32 {
 float dielectric(float n_i, float n_t, float cos_i) {
     float c = n_i * cos_i;
     float s2 = n_i * (1.0 - cos_i * cos_i);
-    float E_ = (n_t - n_i) * (n_t + n_i); // eta^2 - 1
-    float g2 = E_ + c * c; // below 0 under total internal reflection
-    float g = sqrt(max(g2, 1.1754944e-38)); // eta cos_t; so little there that R is 1
+    float E_ = (n_t - n_i) * (n_t + n_i); // n_t^2 - n_i^2
+
+    // Snell
+    float g2 = E_ + c * c; // below 0 beyond the critical angle
+    float g = sqrt(max(g2, 1.1754944e-38)); // n_t cos_t; beyond it so small that R is 1
+
+    // s-polarised, across the plane of incidence
     float E2 = E_ * E_;
     float cg = c * g;
     float a = 2.0 * (g + c);
     float a2 = a * a;
     float D_s = max(E2 + cg * a2, 1.1754944e-38); // 0 only for equal media at cos_i = 0
     float R_s = E2 / D_s;
+
+    // p-polarised, along it
     float x = cos_i * g;
     float b = x + s2;
     float q = (x - s2) / b;
@@ -399,15 +515,21 @@ export const dielectricRgb = /*@__PURE__*/ native(/* wgsl */ `
 fn dielectric_rgb(n_i: f32, n_t: vec3f, cos_i: f32) -> vec3f {
     let c = n_i * cos_i;
     let s2 = n_i * (1.0 - cos_i * cos_i);
-    let E = (n_t - n_i) * (n_t + n_i); // eta^2 - 1
-    let g2 = E + c * c; // below 0 under total internal reflection
-    let g = sqrt(max(g2, vec3f(1.1754944e-38))); // eta cos_t; so little there that R is 1
+    let E = (n_t - n_i) * (n_t + n_i); // n_t^2 - n_i^2
+
+    // Snell
+    let g2 = E + c * c; // below 0 beyond the critical angle
+    let g = sqrt(max(g2, vec3f(1.1754944e-38))); // n_t cos_t; beyond it so small that R is 1
+
+    // s-polarised, across the plane of incidence
     let E2 = E * E;
     let cg = c * g;
     let a = 2.0 * (g + c);
     let a2 = a * a;
     let D_s = max(E2 + cg * a2, vec3f(1.1754944e-38)); // 0 only for equal media at cos_i = 0
     let R_s = E2 / D_s;
+
+    // p-polarised, along it
     let x = cos_i * g;
     let b = x + s2;
     let q = (x - s2) / b;
@@ -419,15 +541,21 @@ fn dielectric_rgb(n_i: f32, n_t: vec3f, cos_i: f32) -> vec3f {
 vec3 dielectric_rgb(float n_i, vec3 n_t, float cos_i) {
     float c = n_i * cos_i;
     float s2 = n_i * (1.0 - cos_i * cos_i);
-    vec3 E_ = (n_t - n_i) * (n_t + n_i); // eta^2 - 1
-    vec3 g2 = E_ + c * c; // below 0 under total internal reflection
-    vec3 g = sqrt(max(g2, vec3(1.1754944e-38))); // eta cos_t; so little there that R is 1
+    vec3 E_ = (n_t - n_i) * (n_t + n_i); // n_t^2 - n_i^2
+
+    // Snell
+    vec3 g2 = E_ + c * c; // below 0 beyond the critical angle
+    vec3 g = sqrt(max(g2, vec3(1.1754944e-38))); // n_t cos_t; beyond it so small that R is 1
+
+    // s-polarised, across the plane of incidence
     vec3 E2 = E_ * E_;
     vec3 cg = c * g;
     vec3 a = 2.0 * (g + c);
     vec3 a2 = a * a;
     vec3 D_s = max(E2 + cg * a2, vec3(1.1754944e-38)); // 0 only for equal media at cos_i = 0
     vec3 R_s = E2 / D_s;
+
+    // p-polarised, along it
     vec3 x = cos_i * g;
     vec3 b = x + s2;
     vec3 q = (x - s2) / b;
@@ -465,7 +593,9 @@ fn conductor(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let sin2 = 1.0 - cos2;
     let s2 = n_i * sin2;
     let s4 = s2 * s2;
-    let E = (n_t - n_i) * (n_t + n_i) - k_t * k_t; // Re m^2 - 1
+
+    // Snell
+    let E = (n_t - n_i) * (n_t + n_i) - k_t * k_t; // Re m^2 - n_i^2, m the complex index
     let Z = 2.0 * (n_t * k_t); // Im m^2
     let Z2 = Z * Z;
     let t0 = E + c2; // q^2 = t0 + i Z
@@ -473,18 +603,22 @@ fn conductor(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
     let u = sqrt(2.0 * S); // twice the larger of Re q and Im q
     let a = select(S, Z, t0 <= 0.0); // u Re q
+
+    // s-polarised, across the plane of incidence
     let h = 2.0 * (a * c);
-    let F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
+    let F = (E * E + Z2) * S; // S |c - q|^2 |c + q|^2
     let G_s = (A + c2) * u + h;
-    let D_s = max(F + h * G_s, 1.1754944e-38); // |c + q|^4; 0 only for equal media at cos_i = 0
+    let D_s = max(F + h * G_s, 1.1754944e-38); // S |c + q|^4; 0 only for equal media at cos_i = 0
     let R_s = F / D_s;
+
+    // p-polarised, along it
     let h_p = h * sin2;
     let N = t0 * cos2 - s4;
     let M = Z * cos2;
     let M2 = M * M + 8.4703295e-22; // above 0, so that D_p is
-    let B = (N * N + M2) * S; // |q c - s^2|^2 |q c + s^2|^2
+    let B = (N * N + M2) * S; // S |q c - s^2|^2 |q c + s^2|^2
     let G_p = (A * cos2 + s4) * u + h_p;
-    let D_p = B + h_p * G_p; // |q c + s^2|^4
+    let D_p = B + h_p * G_p; // S |q c + s^2|^4
     let R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0;
 }
@@ -507,7 +641,9 @@ float conductor(float n_i, float n_t, float k_t, float cos_i) {
     float sin2 = 1.0 - cos2;
     float s2 = n_i * sin2;
     float s4 = s2 * s2;
-    float E_ = (n_t - n_i) * (n_t + n_i) - k_t * k_t; // Re m^2 - 1
+
+    // Snell
+    float E_ = (n_t - n_i) * (n_t + n_i) - k_t * k_t; // Re m^2 - n_i^2, m the complex index
     float Z = 2.0 * (n_t * k_t); // Im m^2
     float Z2 = Z * Z;
     float t0 = E_ + c2; // q^2 = t0 + i Z
@@ -515,18 +651,22 @@ float conductor(float n_i, float n_t, float k_t, float cos_i) {
     float S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
     float u = sqrt(2.0 * S); // twice the larger of Re q and Im q
     float a = t0 <= 0.0 ? Z : S; // u Re q
+
+    // s-polarised, across the plane of incidence
     float h = 2.0 * (a * c);
-    float F = (E_ * E_ + Z2) * S; // |c - q|^2 |c + q|^2
+    float F = (E_ * E_ + Z2) * S; // S |c - q|^2 |c + q|^2
     float G_s = (A + c2) * u + h;
-    float D_s = max(F + h * G_s, 1.1754944e-38); // |c + q|^4; 0 only for equal media at cos_i = 0
+    float D_s = max(F + h * G_s, 1.1754944e-38); // S |c + q|^4; 0 only for equal media at cos_i = 0
     float R_s = F / D_s;
+
+    // p-polarised, along it
     float h_p = h * sin2;
     float N = t0 * cos2 - s4;
     float M = Z * cos2;
     float M2 = M * M + 8.4703295e-22; // above 0, so that D_p is
-    float B = (N * N + M2) * S; // |q c - s^2|^2 |q c + s^2|^2
+    float B = (N * N + M2) * S; // S |q c - s^2|^2 |q c + s^2|^2
     float G_p = (A * cos2 + s4) * u + h_p;
-    float D_p = B + h_p * G_p; // |q c + s^2|^4
+    float D_p = B + h_p * G_p; // S |q c + s^2|^4
     float R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0;
 }
@@ -545,14 +685,16 @@ float conductor_dir(float n_i, float n_t, float k_t, vec3 normal, vec3 direction
 export const conductorRgb = /*@__PURE__*/ native(/* wgsl */ `
 // The same for three channels, which share the angle.
 fn conductor_rgb(n_i: f32, n_t: vec3f, k_t: vec3f, cos_i: f32) -> vec3f {
-    return vec3f(conductor(n_i, n_t.x, k_t.x, cos_i), conductor(n_i, n_t.y, k_t.y, cos_i),
-            conductor(n_i, n_t.z, k_t.z, cos_i));
+    return vec3f(conductor(n_i, n_t.x, k_t.x, cos_i),
+                 conductor(n_i, n_t.y, k_t.y, cos_i),
+                 conductor(n_i, n_t.z, k_t.z, cos_i));
 }
 `, /* glsl */ `
 // The same for three channels, which share the angle.
 vec3 conductor_rgb(float n_i, vec3 n_t, vec3 k_t, float cos_i) {
-    return vec3(conductor(n_i, n_t.x, k_t.x, cos_i), conductor(n_i, n_t.y, k_t.y, cos_i),
-            conductor(n_i, n_t.z, k_t.z, cos_i));
+    return vec3(conductor(n_i, n_t.x, k_t.x, cos_i),
+                conductor(n_i, n_t.y, k_t.y, cos_i),
+                conductor(n_i, n_t.z, k_t.z, cos_i));
 }
 `, [conductor]);
 
@@ -633,14 +775,16 @@ float dielectric_fast_dir(float n_i, float n_t, vec3 normal, vec3 direction) {
 export const dielectricFastRgb = /*@__PURE__*/ native(/* wgsl */ `
 // The same for three channels, which share the angle.
 fn dielectric_fast_rgb(n_i: f32, n_t: vec3f, cos_i: f32) -> vec3f {
-    return vec3f(dielectric_fast(n_i, n_t.x, cos_i), dielectric_fast(n_i, n_t.y, cos_i),
-            dielectric_fast(n_i, n_t.z, cos_i));
+    return vec3f(dielectric_fast(n_i, n_t.x, cos_i),
+                 dielectric_fast(n_i, n_t.y, cos_i),
+                 dielectric_fast(n_i, n_t.z, cos_i));
 }
 `, /* glsl */ `
 // The same for three channels, which share the angle.
 vec3 dielectric_fast_rgb(float n_i, vec3 n_t, float cos_i) {
-    return vec3(dielectric_fast(n_i, n_t.x, cos_i), dielectric_fast(n_i, n_t.y, cos_i),
-            dielectric_fast(n_i, n_t.z, cos_i));
+    return vec3(dielectric_fast(n_i, n_t.x, cos_i),
+                dielectric_fast(n_i, n_t.y, cos_i),
+                dielectric_fast(n_i, n_t.z, cos_i));
 }
 `, [dielectricFast]);
 
@@ -657,7 +801,8 @@ vec3 dielectric_fast_rgb_dir(float n_i, vec3 n_t, vec3 normal, vec3 direction) {
 export const conductorFast = /*@__PURE__*/ native(/* wgsl */ `
 // Exact reflectance of an absorbing medium in the fewest operations.
 //
-//   R_s = (t1 - t2) / (t1 + t2), R_p = R_s (t3 - t4) / (t3 + t4)
+//   R_s = (t1 - t2) / (t1 + t2), R_p = R_s (t3 - t4) / (t3 + t4), t1 = A + c^2, t2 = 2 a c,
+//   t3 = A c^2 + s^4, t4 = t2 s^2, A = a^2 + b^2, (a + i b)^2 = (n + i k)^2 - s^2
 //
 // n_i     index in front of the surface, [0.01, 100]
 // n_t     index behind it, [0.001, 1000]
@@ -690,7 +835,8 @@ fn conductor_fast(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
 `, /* glsl */ `
 // Exact reflectance of an absorbing medium in the fewest operations.
 //
-//   R_s = (t1 - t2) / (t1 + t2), R_p = R_s (t3 - t4) / (t3 + t4)
+//   R_s = (t1 - t2) / (t1 + t2), R_p = R_s (t3 - t4) / (t3 + t4), t1 = A + c^2, t2 = 2 a c,
+//   t3 = A c^2 + s^4, t4 = t2 s^2, A = a^2 + b^2, (a + i b)^2 = (n + i k)^2 - s^2
 //
 // n_i     index in front of the surface, [0.01, 100]
 // n_t     index behind it, [0.001, 1000]
@@ -793,7 +939,7 @@ vec3 conductor_fast_rgb_dir(float n_i, vec3 n_t, vec3 k_t, vec3 normal, vec3 dir
 export const conductorPrecise = /*@__PURE__*/ native(/* wgsl */ `
 // Exact reflectance of any medium, with the two sums that cancel in twice the digits.
 //
-//   F = as conductor, with the sums that cancel in twice the digits
+//   R_s = |c - q|^2 / |c + q|^2, R_p = R_s |q c - s^2|^2 / |q c + s^2|^2, q^2 = (n + i k)^2 - s^2
 //
 // n_i     index in front of the surface, [0.01, 100]
 // n_t     index behind it, [0.001, 1000]
@@ -803,126 +949,59 @@ export const conductorPrecise = /*@__PURE__*/ native(/* wgsl */ `
 // cost    304 operations
 // source  Born and Wolf 1999; Knuth 1969; Dekker 1971
 fn conductor_precise(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
-    let n_t2 = n_t * n_t;
-    let k_t2 = k_t * k_t;
-    let t = n_t2 + (-k_t2);
-    let t_2 = t - n_t2;
-    let t_3 = 4097.0 * n_t;
-    let t_4 = t_3 - (t_3 - n_t);
-    let t_5 = n_t - t_4;
-    let t_6 = t_4 * t_5;
-    let t_7 = t_4 * t_4 - n_t2 + t_6 + t_6 + t_5 * t_5;
-    let t_8 = 4097.0 * k_t;
-    let t_9 = t_8 - (t_8 - k_t);
-    let t_10 = k_t - t_9;
-    let t_11 = t_9 * t_10;
-    let t_12 = t_9 * t_9 - k_t2 + t_11 + t_11 + t_10 * t_10;
-    let t_13 = t_7 + (-t_12);
-    let t_14 = n_t2 - (t - t_2) + (-k_t2 - t_2) + t_13;
-    let t_15 = t + t_14;
-    let t_16 = t_15 - t;
-    let t_17 = t_13 - t_7;
-    let t_18 = t - (t_15 - t_16) + (t_14 - t_16) + (t_7 - (t_13 - t_17) + (-t_12 - t_17));
-    let t_19 = t_15 + t_18;
-    let n_i2 = n_i * n_i;
-    let t_20 = t_19 + (-n_i2);
-    let t_21 = t_20 - t_19;
-    let t_22 = t_19 - t_15;
-    let t_23 = t_15 - (t_19 - t_22) + (t_18 - t_22);
-    let t_24 = 4097.0 * n_i;
-    let t_25 = t_24 - (t_24 - n_i);
-    let t_26 = n_i - t_25;
-    let t_27 = t_25 * t_26;
-    let t_28 = t_25 * t_25 - n_i2 + t_27 + t_27 + t_26 * t_26;
-    let t_29 = t_23 + (-t_28);
-    let t_30 = t_19 - (t_20 - t_21) + (-n_i2 - t_21) + t_29;
-    let t_31 = t_20 + t_30;
-    let t_32 = t_31 - t_20;
-    let t_33 = t_29 - t_23;
-    let t_34 = t_20 - (t_31 - t_32) + (t_30 - t_32) + (t_23 - (t_29 - t_33) + (-t_28 - t_33));
-    let t_35 = t_31 + t_34;
-    let cos2 = cos_i * cos_i;
-    let t_36 = n_i2 * cos2;
-    let t_37 = 4097.0 * n_i2;
-    let t_38 = t_37 - (t_37 - n_i2);
-    let t_39 = 4097.0 * cos2;
-    let t_40 = t_39 - (t_39 - cos2);
-    let t_41 = cos2 - t_40;
-    let t_42 = n_i2 - t_38;
-    let t_43 = 4097.0 * cos_i;
-    let t_44 = t_43 - (t_43 - cos_i);
-    let t_45 = cos_i - t_44;
-    let t_46 = t_44 * t_45;
-    let t_47 = t_44 * t_44 - cos2 + t_46 + t_46 + t_45 * t_45;
-    let t_48 = t_38 * t_40 - t_36 + t_38 * t_41 + t_42 * t_40 + t_42 * t_41 + (n_i2 * t_47 + t_28 * cos2);
-    let t_49 = t_36 + t_48;
-    let t_50 = t_35 + t_49;
-    let t_51 = t_50 - t_35;
-    let t_52 = t_35 - t_31;
-    let t_53 = t_31 - (t_35 - t_52) + (t_34 - t_52);
-    let t_54 = t_49 - t_36;
-    let t_55 = t_36 - (t_49 - t_54) + (t_48 - t_54);
-    let t_56 = t_53 + t_55;
-    let t_57 = t_35 - (t_50 - t_51) + (t_49 - t_51) + t_56;
-    let t_58 = t_50 + t_57;
-    let t_59 = t_58 - t_50;
-    let t_60 = t_56 - t_53;
-    let t_61 = t_58 + (t_50 - (t_58 - t_59) + (t_57 - t_59) + (t_53 - (t_56 - t_60) + (t_55 - t_60)));
-    let t_62 = n_t * k_t;
-    let t_63 = abs(t_61);
-    let t_64 = sqrt((max(sqrt(t_61 * t_61 + 4.0 * (t_62 * t_62)), t_63) + t_63) / 2.0);
-    let t_65 = t_62 / select(1.0, t_64, t_64 > 0.0);
-    let t_66 = select(t_64, t_65, t_61 < 0.0);
-    let t_67 = n_i * cos_i;
-    let t_68 = t_66 - t_67;
-    let t_69 = select(t_65, t_64, t_61 < 0.0);
-    let t_70 = t_69 * t_69;
-    let t_71 = t_66 + t_67;
-    let t_72 = select(t_68, (t_35 + t_70) / t_71, max(2.0 * abs(t_68), t_69) < t_67);
-    let t_73 = t_71 * t_71 + t_70;
-    let t_74 = (t_72 * t_72 + t_70) / select(t_73, 1.0, t_73 <= 0.0);
-    let t_75 = t_66 * cos_i;
-    let t_76 = n_i * ((1.0 - cos_i) * (1.0 + cos_i));
-    let t_77 = t_75 - t_76;
-    let t_78 = n_t2 + n_i2;
-    let t_79 = t_78 - n_t2;
-    let t_80 = t_7 + t_28;
-    let t_81 = n_t2 - (t_78 - t_79) + (n_i2 - t_79) + t_80;
-    let t_82 = t_78 + t_81;
-    let t_83 = t_82 - t_78;
-    let t_84 = t_80 - t_7;
-    let t_85 = t_78 - (t_82 - t_83) + (t_81 - t_83) + (t_7 - (t_80 - t_84) + (t_28 - t_84));
-    let t_86 = t_82 + t_85;
-    let t_87 = cos2 * t_86;
-    let t_88 = 4097.0 * t_86;
-    let t_89 = t_88 - (t_88 - t_86);
-    let t_90 = t_86 - t_89;
-    let t_91 = t_86 - t_82;
-    let t_92 = t_40 * t_89 - t_87 + t_40 * t_90 + t_41 * t_89 + t_41 * t_90 +
-            (cos2 * (t_82 - (t_86 - t_91) + (t_85 - t_91)) + t_47 * t_86);
-    let t_93 = t_87 + t_92;
-    let t_94 = t_93 + (-n_i2);
-    let t_95 = t_94 - t_93;
-    let t_96 = t_93 - t_87;
-    let t_97 = t_87 - (t_93 - t_96) + (t_92 - t_96);
-    let t_98 = t_97 + (-t_28);
-    let t_99 = t_93 - (t_94 - t_95) + (-n_i2 - t_95) + t_98;
-    let t_100 = t_94 + t_99;
-    let t_101 = t_100 - t_94;
-    let t_102 = t_98 - t_97;
-    let t_103 = t_75 + t_76;
-    let t_104 = select(t_103, 1.0, t_103 <= 0.0);
-    let t_105 = select(t_77, (t_100 +
-            (t_94 - (t_100 - t_101) + (t_99 - t_101) + (t_97 - (t_98 - t_102) + (-t_28 - t_102))) +
-            cos2 * (t_70 - k_t2)) / t_104, max(2.0 * abs(t_77) - t_76, 2.0 * t_69 - n_i) < 0.0);
-    let t_106 = t_69 * cos_i;
-    let t_107 = t_106 * t_106;
-    return (min(t_74, 1.0) + min(t_74 * ((t_105 * t_105 + t_107) / (t_104 * t_104 + t_107)), 1.0)) / 2.0;
+    let s2 = (1.0 - cos_i) * (1.0 + cos_i);
+
+    // what cancels, in twice the digits
+    let n2 = two_product(n_t, n_t);
+    let k2 = two_product(k_t, k_t);
+    let i2 = two_product(n_i, n_i);
+    let c2 = two_product(cos_i, cos_i);
+    let m2 = twofold_difference(n2, k2); // Re m^2, m = n_t + i k_t
+    let E = twofold_difference(m2, i2);
+    let p2 = twofold_product(i2, c2); // (n_i cos_i)^2
+    let q2 = twofold_sum(E, p2); // Re q^2, q^2 = m^2 - (n_i sin_i)^2
+    let sum2 = twofold_sum(n2, i2);
+    let product = twofold_product(c2, sum2);
+    let N = twofold_difference(product, i2); // 0 at Brewster's angle where k_t = 0
+
+    // q = a + i b, which is m cos_t; lengths in units of 1 / n_i
+    let c = n_i * cos_i;
+    let nk = n_t * k_t; // Im q^2 / 2
+    let size = abs(q2.x);
+    let A = max(sqrt(q2.x * q2.x + 4.0 * (nk * nk)), size); // |q|^2
+    let larger = sqrt((A + size) / 2.0); // of |Re q| and |Im q|
+    let smaller = nk / select(1.0, larger, larger > 0.0);
+    let a = select(larger, smaller, q2.x < 0.0); // Re q
+    let b = select(smaller, larger, q2.x < 0.0); // Im q
+    let b2 = b * b;
+
+    // s-polarised; d is a - c, exact near an index match as well
+    let a_minus_c = a - c;
+    let a_plus_c = a + c;
+    let d = select(a_minus_c, (E.x + b2) / a_plus_c, max(2.0 * abs(a_minus_c), b) < c);
+    let D_s = a_plus_c * a_plus_c + b2;
+    let D = select(D_s, 1.0, D_s <= 0.0); // 0 only for equal media at cos_i = 0
+    let N_s = d * d + b2;
+    let R_s = N_s / D;
+
+    // p-polarised; nu is a cos_i - n_i sin_i^2, exact near Brewster's angle as well
+    let is2 = n_i * s2;
+    let ac = a * cos_i;
+    let bc = b * cos_i;
+    let bc2 = bc * bc;
+    let difference = ac - is2;
+    let total = ac + is2;
+    let sum = select(total, 1.0, total <= 0.0);
+    let exact = (N.x + c2.x * (b2 - k2.x)) / sum;
+    let nu = select(difference, exact, max(2.0 * abs(difference) - is2, 2.0 * b - n_i) < 0.0);
+    let P = sum * sum + bc2;
+    let R_p = R_s * ((nu * nu + bc2) / P);
+    return (min(R_s, 1.0) + min(R_p, 1.0)) / 2.0;
 }
 `, /* glsl */ `
 // Exact reflectance of any medium, with the two sums that cancel in twice the digits.
 //
-//   F = as conductor, with the sums that cancel in twice the digits
+//   R_s = |c - q|^2 / |c + q|^2, R_p = R_s |q c - s^2|^2 / |q c + s^2|^2, q^2 = (n + i k)^2 - s^2
 //
 // n_i     index in front of the surface, [0.01, 100]
 // n_t     index behind it, [0.001, 1000]
@@ -932,123 +1011,56 @@ fn conductor_precise(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
 // cost    304 operations
 // source  Born and Wolf 1999; Knuth 1969; Dekker 1971
 float conductor_precise(float n_i, float n_t, float k_t, float cos_i) {
-    float n_t2 = n_t * n_t;
-    float k_t2 = k_t * k_t;
-    float t = n_t2 + (-k_t2);
-    float t_2 = t - n_t2;
-    float t_3 = 4097.0 * n_t;
-    float t_4 = t_3 - (t_3 - n_t);
-    float t_5 = n_t - t_4;
-    float t_6 = t_4 * t_5;
-    float t_7 = t_4 * t_4 - n_t2 + t_6 + t_6 + t_5 * t_5;
-    float t_8 = 4097.0 * k_t;
-    float t_9 = t_8 - (t_8 - k_t);
-    float t_10 = k_t - t_9;
-    float t_11 = t_9 * t_10;
-    float t_12 = t_9 * t_9 - k_t2 + t_11 + t_11 + t_10 * t_10;
-    float t_13 = t_7 + (-t_12);
-    float t_14 = n_t2 - (t - t_2) + (-k_t2 - t_2) + t_13;
-    float t_15 = t + t_14;
-    float t_16 = t_15 - t;
-    float t_17 = t_13 - t_7;
-    float t_18 = t - (t_15 - t_16) + (t_14 - t_16) + (t_7 - (t_13 - t_17) + (-t_12 - t_17));
-    float t_19 = t_15 + t_18;
-    float n_i2 = n_i * n_i;
-    float t_20 = t_19 + (-n_i2);
-    float t_21 = t_20 - t_19;
-    float t_22 = t_19 - t_15;
-    float t_23 = t_15 - (t_19 - t_22) + (t_18 - t_22);
-    float t_24 = 4097.0 * n_i;
-    float t_25 = t_24 - (t_24 - n_i);
-    float t_26 = n_i - t_25;
-    float t_27 = t_25 * t_26;
-    float t_28 = t_25 * t_25 - n_i2 + t_27 + t_27 + t_26 * t_26;
-    float t_29 = t_23 + (-t_28);
-    float t_30 = t_19 - (t_20 - t_21) + (-n_i2 - t_21) + t_29;
-    float t_31 = t_20 + t_30;
-    float t_32 = t_31 - t_20;
-    float t_33 = t_29 - t_23;
-    float t_34 = t_20 - (t_31 - t_32) + (t_30 - t_32) + (t_23 - (t_29 - t_33) + (-t_28 - t_33));
-    float t_35 = t_31 + t_34;
-    float cos2 = cos_i * cos_i;
-    float t_36 = n_i2 * cos2;
-    float t_37 = 4097.0 * n_i2;
-    float t_38 = t_37 - (t_37 - n_i2);
-    float t_39 = 4097.0 * cos2;
-    float t_40 = t_39 - (t_39 - cos2);
-    float t_41 = cos2 - t_40;
-    float t_42 = n_i2 - t_38;
-    float t_43 = 4097.0 * cos_i;
-    float t_44 = t_43 - (t_43 - cos_i);
-    float t_45 = cos_i - t_44;
-    float t_46 = t_44 * t_45;
-    float t_47 = t_44 * t_44 - cos2 + t_46 + t_46 + t_45 * t_45;
-    float t_48 = t_38 * t_40 - t_36 + t_38 * t_41 + t_42 * t_40 + t_42 * t_41 + (n_i2 * t_47 + t_28 * cos2);
-    float t_49 = t_36 + t_48;
-    float t_50 = t_35 + t_49;
-    float t_51 = t_50 - t_35;
-    float t_52 = t_35 - t_31;
-    float t_53 = t_31 - (t_35 - t_52) + (t_34 - t_52);
-    float t_54 = t_49 - t_36;
-    float t_55 = t_36 - (t_49 - t_54) + (t_48 - t_54);
-    float t_56 = t_53 + t_55;
-    float t_57 = t_35 - (t_50 - t_51) + (t_49 - t_51) + t_56;
-    float t_58 = t_50 + t_57;
-    float t_59 = t_58 - t_50;
-    float t_60 = t_56 - t_53;
-    float t_61 = t_58 + (t_50 - (t_58 - t_59) + (t_57 - t_59) + (t_53 - (t_56 - t_60) + (t_55 - t_60)));
-    float t_62 = n_t * k_t;
-    float t_63 = abs(t_61);
-    float t_64 = sqrt((max(sqrt(t_61 * t_61 + 4.0 * (t_62 * t_62)), t_63) + t_63) / 2.0);
-    float t_65 = t_62 / (t_64 > 0.0 ? t_64 : 1.0);
-    float t_66 = t_61 < 0.0 ? t_65 : t_64;
-    float t_67 = n_i * cos_i;
-    float t_68 = t_66 - t_67;
-    float t_69 = t_61 < 0.0 ? t_64 : t_65;
-    float t_70 = t_69 * t_69;
-    float t_71 = t_66 + t_67;
-    float t_72 = max(2.0 * abs(t_68), t_69) < t_67 ? (t_35 + t_70) / t_71 : t_68;
-    float t_73 = t_71 * t_71 + t_70;
-    float t_74 = (t_72 * t_72 + t_70) / (t_73 <= 0.0 ? 1.0 : t_73);
-    float t_75 = t_66 * cos_i;
-    float t_76 = n_i * ((1.0 - cos_i) * (1.0 + cos_i));
-    float t_77 = t_75 - t_76;
-    float t_78 = n_t2 + n_i2;
-    float t_79 = t_78 - n_t2;
-    float t_80 = t_7 + t_28;
-    float t_81 = n_t2 - (t_78 - t_79) + (n_i2 - t_79) + t_80;
-    float t_82 = t_78 + t_81;
-    float t_83 = t_82 - t_78;
-    float t_84 = t_80 - t_7;
-    float t_85 = t_78 - (t_82 - t_83) + (t_81 - t_83) + (t_7 - (t_80 - t_84) + (t_28 - t_84));
-    float t_86 = t_82 + t_85;
-    float t_87 = cos2 * t_86;
-    float t_88 = 4097.0 * t_86;
-    float t_89 = t_88 - (t_88 - t_86);
-    float t_90 = t_86 - t_89;
-    float t_91 = t_86 - t_82;
-    float t_92 = t_40 * t_89 - t_87 + t_40 * t_90 + t_41 * t_89 + t_41 * t_90 +
-            (cos2 * (t_82 - (t_86 - t_91) + (t_85 - t_91)) + t_47 * t_86);
-    float t_93 = t_87 + t_92;
-    float t_94 = t_93 + (-n_i2);
-    float t_95 = t_94 - t_93;
-    float t_96 = t_93 - t_87;
-    float t_97 = t_87 - (t_93 - t_96) + (t_92 - t_96);
-    float t_98 = t_97 + (-t_28);
-    float t_99 = t_93 - (t_94 - t_95) + (-n_i2 - t_95) + t_98;
-    float t_100 = t_94 + t_99;
-    float t_101 = t_100 - t_94;
-    float t_102 = t_98 - t_97;
-    float t_103 = t_75 + t_76;
-    float t_104 = t_103 <= 0.0 ? 1.0 : t_103;
-    float t_105 = max(2.0 * abs(t_77) - t_76, 2.0 * t_69 - n_i) < 0.0 ?
-            (t_100 + (t_94 - (t_100 - t_101) + (t_99 - t_101) + (t_97 - (t_98 - t_102) + (-t_28 - t_102))) +
-            cos2 * (t_70 - k_t2)) / t_104 : t_77;
-    float t_106 = t_69 * cos_i;
-    float t_107 = t_106 * t_106;
-    return (min(t_74, 1.0) + min(t_74 * ((t_105 * t_105 + t_107) / (t_104 * t_104 + t_107)), 1.0)) / 2.0;
+    float s2 = (1.0 - cos_i) * (1.0 + cos_i);
+
+    // what cancels, in twice the digits
+    vec2 n2 = two_product(n_t, n_t);
+    vec2 k2 = two_product(k_t, k_t);
+    vec2 i2 = two_product(n_i, n_i);
+    vec2 c2 = two_product(cos_i, cos_i);
+    vec2 m2 = twofold_difference(n2, k2); // Re m^2, m = n_t + i k_t
+    vec2 E_ = twofold_difference(m2, i2);
+    vec2 p2 = twofold_product(i2, c2); // (n_i cos_i)^2
+    vec2 q2 = twofold_sum(E_, p2); // Re q^2, q^2 = m^2 - (n_i sin_i)^2
+    vec2 sum2 = twofold_sum(n2, i2);
+    vec2 product = twofold_product(c2, sum2);
+    vec2 N = twofold_difference(product, i2); // 0 at Brewster's angle where k_t = 0
+
+    // q = a + i b, which is m cos_t; lengths in units of 1 / n_i
+    float c = n_i * cos_i;
+    float nk = n_t * k_t; // Im q^2 / 2
+    float size = abs(q2.x);
+    float A = max(sqrt(q2.x * q2.x + 4.0 * (nk * nk)), size); // |q|^2
+    float larger = sqrt((A + size) / 2.0); // of |Re q| and |Im q|
+    float smaller = nk / (larger > 0.0 ? larger : 1.0);
+    float a = q2.x < 0.0 ? smaller : larger; // Re q
+    float b = q2.x < 0.0 ? larger : smaller; // Im q
+    float b2 = b * b;
+
+    // s-polarised; d is a - c, exact near an index match as well
+    float a_minus_c = a - c;
+    float a_plus_c = a + c;
+    float d = max(2.0 * abs(a_minus_c), b) < c ? (E_.x + b2) / a_plus_c : a_minus_c;
+    float D_s = a_plus_c * a_plus_c + b2;
+    float D = D_s <= 0.0 ? 1.0 : D_s; // 0 only for equal media at cos_i = 0
+    float N_s = d * d + b2;
+    float R_s = N_s / D;
+
+    // p-polarised; nu is a cos_i - n_i sin_i^2, exact near Brewster's angle as well
+    float is2 = n_i * s2;
+    float ac = a * cos_i;
+    float bc = b * cos_i;
+    float bc2 = bc * bc;
+    float difference = ac - is2;
+    float total = ac + is2;
+    float sum = total <= 0.0 ? 1.0 : total;
+    float exact = (N.x + c2.x * (b2 - k2.x)) / sum;
+    float nu = max(2.0 * abs(difference) - is2, 2.0 * b - n_i) < 0.0 ? exact : difference;
+    float P = sum * sum + bc2;
+    float R_p = R_s * ((nu * nu + bc2) / P);
+    return (min(R_s, 1.0) + min(R_p, 1.0)) / 2.0;
 }
-`, []);
+`, [twoProduct, twofoldSum, twofoldDifference, twofoldProduct]);
 
 export const conductorPreciseDir = /*@__PURE__*/ native(/* wgsl */ `
 fn conductor_precise_dir(n_i: f32, n_t: f32, k_t: f32, normal: vec3f, direction: vec3f) -> f32 {
@@ -1063,14 +1075,16 @@ float conductor_precise_dir(float n_i, float n_t, float k_t, vec3 normal, vec3 d
 export const conductorPreciseRgb = /*@__PURE__*/ native(/* wgsl */ `
 // The same for three channels, which share the angle.
 fn conductor_precise_rgb(n_i: f32, n_t: vec3f, k_t: vec3f, cos_i: f32) -> vec3f {
-    return vec3f(conductor_precise(n_i, n_t.x, k_t.x, cos_i), conductor_precise(n_i, n_t.y, k_t.y, cos_i),
-            conductor_precise(n_i, n_t.z, k_t.z, cos_i));
+    return vec3f(conductor_precise(n_i, n_t.x, k_t.x, cos_i),
+                 conductor_precise(n_i, n_t.y, k_t.y, cos_i),
+                 conductor_precise(n_i, n_t.z, k_t.z, cos_i));
 }
 `, /* glsl */ `
 // The same for three channels, which share the angle.
 vec3 conductor_precise_rgb(float n_i, vec3 n_t, vec3 k_t, float cos_i) {
-    return vec3(conductor_precise(n_i, n_t.x, k_t.x, cos_i), conductor_precise(n_i, n_t.y, k_t.y, cos_i),
-            conductor_precise(n_i, n_t.z, k_t.z, cos_i));
+    return vec3(conductor_precise(n_i, n_t.x, k_t.x, cos_i),
+                conductor_precise(n_i, n_t.y, k_t.y, cos_i),
+                conductor_precise(n_i, n_t.z, k_t.z, cos_i));
 }
 `, [conductorPrecise]);
 
@@ -1091,13 +1105,13 @@ export const schlick = /*@__PURE__*/ native(/* wgsl */ `
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0824, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0824, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    7 operations
 // source  Schlick 1994, An Inexpensive BRDF Model for Physically-based Rendering
 fn schlick(f0: f32, cos_i: f32) -> f32 {
-    let m = 1.0 - cos_i;
-    let m2 = m * m;
-    return f0 + (1.0 - f0) * (m2 * m2 * m);
+    let x = 1.0 - cos_i;
+    let x2 = x * x;
+    return f0 + (1.0 - f0) * (x2 * x2 * x);
 }
 `, /* glsl */ `
 // Schlick's approximation.
@@ -1106,13 +1120,13 @@ fn schlick(f0: f32, cos_i: f32) -> f32 {
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0824, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0824, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    7 operations
 // source  Schlick 1994, An Inexpensive BRDF Model for Physically-based Rendering
 float schlick(float f0, float cos_i) {
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    return f0 + (1.0 - f0) * (m2 * m2 * m);
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    return f0 + (1.0 - f0) * (x2 * x2 * x);
 }
 `, []);
 
@@ -1129,16 +1143,16 @@ float schlick_dir(float f0, vec3 normal, vec3 direction) {
 export const schlickRgb = /*@__PURE__*/ native(/* wgsl */ `
 // The same for three channels, which share the angle.
 fn schlick_rgb(f0: vec3f, cos_i: f32) -> vec3f {
-    let m = 1.0 - cos_i;
-    let m2 = m * m;
-    return f0 + (1.0 - f0) * (m2 * m2 * m);
+    let x = 1.0 - cos_i;
+    let x2 = x * x;
+    return f0 + (1.0 - f0) * (x2 * x2 * x);
 }
 `, /* glsl */ `
 // The same for three channels, which share the angle.
 vec3 schlick_rgb(vec3 f0, float cos_i) {
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    return f0 + (1.0 - f0) * (m2 * m2 * m);
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    return f0 + (1.0 - f0) * (x2 * x2 * x);
 }
 `, []);
 
@@ -1160,13 +1174,13 @@ export const schlickF90 = /*@__PURE__*/ native(/* wgsl */ `
 // f0      reflectance at normal incidence, [0, 1]
 // f90     reflectance at grazing incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0824, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0824, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    7 operations
 // source  Schlick 1994; Real-Time Rendering, 4th ed., eq. 9.18
 fn schlick_f90(f0: f32, f90: f32, cos_i: f32) -> f32 {
-    let m = 1.0 - cos_i;
-    let m2 = m * m;
-    return f0 + (f90 - f0) * (m2 * m2 * m);
+    let x = 1.0 - cos_i;
+    let x2 = x * x;
+    return f0 + (f90 - f0) * (x2 * x2 * x);
 }
 `, /* glsl */ `
 // Schlick's approximation with any reflectance at grazing incidence.
@@ -1176,13 +1190,13 @@ fn schlick_f90(f0: f32, f90: f32, cos_i: f32) -> f32 {
 // f0      reflectance at normal incidence, [0, 1]
 // f90     reflectance at grazing incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0824, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0824, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    7 operations
 // source  Schlick 1994; Real-Time Rendering, 4th ed., eq. 9.18
 float schlick_f90(float f0, float f90, float cos_i) {
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    return f0 + (f90 - f0) * (m2 * m2 * m);
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    return f0 + (f90 - f0) * (x2 * x2 * x);
 }
 `, []);
 
@@ -1199,16 +1213,16 @@ float schlick_f90_dir(float f0, float f90, vec3 normal, vec3 direction) {
 export const schlickF90Rgb = /*@__PURE__*/ native(/* wgsl */ `
 // The same for three channels, which share the angle.
 fn schlick_f90_rgb(f0: vec3f, f90: vec3f, cos_i: f32) -> vec3f {
-    let m = 1.0 - cos_i;
-    let m2 = m * m;
-    return f0 + (f90 - f0) * (m2 * m2 * m);
+    let x = 1.0 - cos_i;
+    let x2 = x * x;
+    return f0 + (f90 - f0) * (x2 * x2 * x);
 }
 `, /* glsl */ `
 // The same for three channels, which share the angle.
 vec3 schlick_f90_rgb(vec3 f0, vec3 f90, float cos_i) {
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    return f0 + (f90 - f0) * (m2 * m2 * m);
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    return f0 + (f90 - f0) * (x2 * x2 * x);
 }
 `, []);
 
@@ -1231,11 +1245,12 @@ export const schlickPower = /*@__PURE__*/ native(/* wgsl */ `
 // f90     reflectance at grazing incidence, [0, 1]
 // power   sharpness of the rise, [0.1, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.123, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.123, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    13 operations
 // source  Real-Time Rendering, 4th ed., eq. 9.18
 fn schlick_power(f0: f32, f90: f32, power: f32, cos_i: f32) -> f32 {
-    return f0 + (f90 - f0) * pow(1.0 - cos_i, power);
+    let rise = f90 - f0;
+    return f0 + rise * pow(1.0 - cos_i, power);
 }
 `, /* glsl */ `
 // Schlick's approximation with the power left free.
@@ -1246,11 +1261,12 @@ fn schlick_power(f0: f32, f90: f32, power: f32, cos_i: f32) -> f32 {
 // f90     reflectance at grazing incidence, [0, 1]
 // power   sharpness of the rise, [0.1, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.123, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.123, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    13 operations
 // source  Real-Time Rendering, 4th ed., eq. 9.18
 float schlick_power(float f0, float f90, float power, float cos_i) {
-    return f0 + (f90 - f0) * pow(1.0 - cos_i, power);
+    float rise = f90 - f0;
+    return f0 + rise * pow(1.0 - cos_i, power);
 }
 `, []);
 
@@ -1267,12 +1283,14 @@ float schlick_power_dir(float f0, float f90, float power, vec3 normal, vec3 dire
 export const schlickPowerRgb = /*@__PURE__*/ native(/* wgsl */ `
 // The same for three channels, which share the angle.
 fn schlick_power_rgb(f0: vec3f, f90: vec3f, power: vec3f, cos_i: f32) -> vec3f {
-    return f0 + (f90 - f0) * pow(vec3f(1.0 - cos_i), power);
+    let rise = f90 - f0;
+    return f0 + rise * pow(vec3f(1.0 - cos_i), power);
 }
 `, /* glsl */ `
 // The same for three channels, which share the angle.
 vec3 schlick_power_rgb(vec3 f0, vec3 f90, vec3 power, float cos_i) {
-    return f0 + (f90 - f0) * pow(vec3(1.0 - cos_i), power);
+    vec3 rise = f90 - f0;
+    return f0 + rise * pow(vec3(1.0 - cos_i), power);
 }
 `, []);
 
@@ -1294,16 +1312,16 @@ export const schlickNk = /*@__PURE__*/ native(/* wgsl */ `
 // n       index relative to the medium in front, [0.001, 1000]
 // k       its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.255, certified: n in [0.1, 4], k in [1, 8]
+// error   at most 0.255, certified for n in [0.1, 4], k in [1, 8]
 // cost    19 operations
 // source  Lazanyi and Szirmay-Kalos 2005, Fresnel Term Approximations for Metals
 fn schlick_nk(n: f32, k: f32, cos_i: f32) -> f32 {
-    let m = 1.0 - cos_i;
+    let x = 1.0 - cos_i;
     let n_minus_1 = n - 1.0;
     let k2 = k * k;
-    let m2 = m * m;
+    let x2 = x * x;
     let n_plus_1 = n + 1.0;
-    return min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (m2 * m2 * m)) / (n_plus_1 * n_plus_1 + k2), 1.0);
+    return min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (x2 * x2 * x)) / (n_plus_1 * n_plus_1 + k2), 1.0);
 }
 `, /* glsl */ `
 // Schlick's approximation written in n and k.
@@ -1313,16 +1331,16 @@ fn schlick_nk(n: f32, k: f32, cos_i: f32) -> f32 {
 // n       index relative to the medium in front, [0.001, 1000]
 // k       its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.255, certified: n in [0.1, 4], k in [1, 8]
+// error   at most 0.255, certified for n in [0.1, 4], k in [1, 8]
 // cost    19 operations
 // source  Lazanyi and Szirmay-Kalos 2005, Fresnel Term Approximations for Metals
 float schlick_nk(float n, float k, float cos_i) {
-    float m = 1.0 - cos_i;
+    float x = 1.0 - cos_i;
     float n_minus_1 = n - 1.0;
     float k2 = k * k;
-    float m2 = m * m;
+    float x2 = x * x;
     float n_plus_1 = n + 1.0;
-    return min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (m2 * m2 * m)) / (n_plus_1 * n_plus_1 + k2), 1.0);
+    return min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (x2 * x2 * x)) / (n_plus_1 * n_plus_1 + k2), 1.0);
 }
 `, []);
 
@@ -1339,23 +1357,23 @@ float schlick_nk_dir(float n, float k, vec3 normal, vec3 direction) {
 export const schlickNkRgb = /*@__PURE__*/ native(/* wgsl */ `
 // The same for three channels, which share the angle.
 fn schlick_nk_rgb(n: vec3f, k: vec3f, cos_i: f32) -> vec3f {
-    let m = 1.0 - cos_i;
+    let x = 1.0 - cos_i;
     let n_minus_1 = n - 1.0;
     let k2 = k * k;
-    let m2 = m * m;
+    let x2 = x * x;
     let n_plus_1 = n + 1.0;
-    return min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (m2 * m2 * m)) / (n_plus_1 * n_plus_1 + k2),
+    return min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (x2 * x2 * x)) / (n_plus_1 * n_plus_1 + k2),
             vec3f(1.0));
 }
 `, /* glsl */ `
 // The same for three channels, which share the angle.
 vec3 schlick_nk_rgb(vec3 n, vec3 k, float cos_i) {
-    float m = 1.0 - cos_i;
+    float x = 1.0 - cos_i;
     vec3 n_minus_1 = n - 1.0;
     vec3 k2 = k * k;
-    float m2 = m * m;
+    float x2 = x * x;
     vec3 n_plus_1 = n + 1.0;
-    return min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (m2 * m2 * m)) / (n_plus_1 * n_plus_1 + k2),
+    return min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (x2 * x2 * x)) / (n_plus_1 * n_plus_1 + k2),
             vec3(1.0));
 }
 `, []);
@@ -1377,19 +1395,19 @@ export const schlickInternal = /*@__PURE__*/ native(/* wgsl */ `
 //
 // eta     n_t / n_i, [0.01, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0824, certified: 1 / eta in [1.3, 2.5], from inside
+// error   at most 0.0824, certified for 1 / eta in [1.3, 2.5], from inside
 // cost    28 operations
 // source  Lagarde 2013, Memo on Fresnel equations
 fn schlick_internal(eta: f32, cos_i: f32) -> f32 {
     let eta_minus_1 = eta - 1.0;
     let eta_plus_1 = eta + 1.0;
-    let t = eta_minus_1 / eta_plus_1;
-    let f0 = t * t;
+    let r = eta_minus_1 / eta_plus_1; // amplitude
+    let f0 = r * r;
     let g2 = eta_minus_1 * eta_plus_1 + cos_i * cos_i;
     let cos_t = select(min(sqrt(g2) / eta, 1.0), 0.0, g2 <= 0.0);
-    let m = 1.0 - cos_t;
-    let m2 = m * m;
-    return f0 + (1.0 - f0) * (m2 * m2 * m);
+    let x = 1.0 - cos_t;
+    let x2 = x * x;
+    return f0 + (1.0 - f0) * (x2 * x2 * x);
 }
 `, /* glsl */ `
 // Schlick's approximation from inside a denser medium.
@@ -1398,19 +1416,19 @@ fn schlick_internal(eta: f32, cos_i: f32) -> f32 {
 //
 // eta     n_t / n_i, [0.01, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0824, certified: 1 / eta in [1.3, 2.5], from inside
+// error   at most 0.0824, certified for 1 / eta in [1.3, 2.5], from inside
 // cost    28 operations
 // source  Lagarde 2013, Memo on Fresnel equations
 float schlick_internal(float eta, float cos_i) {
     float eta_minus_1 = eta - 1.0;
     float eta_plus_1 = eta + 1.0;
-    float t = eta_minus_1 / eta_plus_1;
-    float f0 = t * t;
+    float r = eta_minus_1 / eta_plus_1; // amplitude
+    float f0 = r * r;
     float g2 = eta_minus_1 * eta_plus_1 + cos_i * cos_i;
     float cos_t = g2 <= 0.0 ? 0.0 : min(sqrt(g2) / eta, 1.0);
-    float m = 1.0 - cos_t;
-    float m2 = m * m;
-    return f0 + (1.0 - f0) * (m2 * m2 * m);
+    float x = 1.0 - cos_t;
+    float x2 = x * x;
+    return f0 + (1.0 - f0) * (x2 * x2 * x);
 }
 `, []);
 
@@ -1427,14 +1445,16 @@ float schlick_internal_dir(float eta, vec3 normal, vec3 direction) {
 export const schlickInternalRgb = /*@__PURE__*/ native(/* wgsl */ `
 // The same for three channels, which share the angle.
 fn schlick_internal_rgb(eta: vec3f, cos_i: f32) -> vec3f {
-    return vec3f(schlick_internal(eta.x, cos_i), schlick_internal(eta.y, cos_i),
-            schlick_internal(eta.z, cos_i));
+    return vec3f(schlick_internal(eta.x, cos_i),
+                 schlick_internal(eta.y, cos_i),
+                 schlick_internal(eta.z, cos_i));
 }
 `, /* glsl */ `
 // The same for three channels, which share the angle.
 vec3 schlick_internal_rgb(vec3 eta, float cos_i) {
-    return vec3(schlick_internal(eta.x, cos_i), schlick_internal(eta.y, cos_i),
-            schlick_internal(eta.z, cos_i));
+    return vec3(schlick_internal(eta.x, cos_i),
+                schlick_internal(eta.y, cos_i),
+                schlick_internal(eta.z, cos_i));
 }
 `, [schlickInternal]);
 
@@ -1455,7 +1475,7 @@ export const sphericalGaussian = /*@__PURE__*/ native(/* wgsl */ `
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0846, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0846, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    10 operations
 // source  Lagarde 2012, Spherical Gaussian approximation for Blinn-Phong, Phong and Fresnel
 fn spherical_gaussian(f0: f32, cos_i: f32) -> f32 {
@@ -1469,7 +1489,7 @@ fn spherical_gaussian(f0: f32, cos_i: f32) -> f32 {
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0846, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0846, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    10 operations
 // source  Lagarde 2012, Spherical Gaussian approximation for Blinn-Phong, Phong and Fresnel
 float spherical_gaussian(float f0, float cos_i) {
@@ -1519,13 +1539,13 @@ export const photometric = /*@__PURE__*/ native(/* wgsl */ `
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0708, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0708, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    6 operations
 // source  photometric.io, Improving Schlick's Approximation
 fn photometric(f0: f32, cos_i: f32) -> f32 {
-    let m = 1.0 - cos_i;
-    let m2 = m * m;
-    return f0 + (m - f0) * (m2 * m2);
+    let x = 1.0 - cos_i;
+    let x2 = x * x;
+    return f0 + (x - f0) * (x2 * x2);
 }
 `, /* glsl */ `
 // A curve found by symbolic regression.
@@ -1534,13 +1554,13 @@ fn photometric(f0: f32, cos_i: f32) -> f32 {
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0708, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0708, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    6 operations
 // source  photometric.io, Improving Schlick's Approximation
 float photometric(float f0, float cos_i) {
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    return f0 + (m - f0) * (m2 * m2);
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    return f0 + (x - f0) * (x2 * x2);
 }
 `, []);
 
@@ -1557,16 +1577,16 @@ float photometric_dir(float f0, vec3 normal, vec3 direction) {
 export const photometricRgb = /*@__PURE__*/ native(/* wgsl */ `
 // The same for three channels, which share the angle.
 fn photometric_rgb(f0: vec3f, cos_i: f32) -> vec3f {
-    let m = 1.0 - cos_i;
-    let m2 = m * m;
-    return f0 + (m - f0) * (m2 * m2);
+    let x = 1.0 - cos_i;
+    let x2 = x * x;
+    return f0 + (x - f0) * (x2 * x2);
 }
 `, /* glsl */ `
 // The same for three channels, which share the angle.
 vec3 photometric_rgb(vec3 f0, float cos_i) {
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    return f0 + (m - f0) * (m2 * m2);
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    return f0 + (x - f0) * (x2 * x2);
 }
 `, []);
 
@@ -1587,14 +1607,14 @@ export const powers48 = /*@__PURE__*/ native(/* wgsl */ `
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0363, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0363, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    8 operations
 // source  this library
 fn powers_4_8(f0: f32, cos_i: f32) -> f32 {
-    let one_minus_cos_i = 1.0 - cos_i;
-    let t = one_minus_cos_i * one_minus_cos_i;
-    let m4 = t * t;
-    return f0 + m4 * (0.55 - f0 + 0.45 * m4);
+    let x = 1.0 - cos_i;
+    let x2 = x * x;
+    let x4 = x2 * x2;
+    return f0 + x4 * (0.55 - f0 + 0.45 * x4);
 }
 `, /* glsl */ `
 // Two powers at Schlick's cost, better on dielectrics.
@@ -1603,14 +1623,14 @@ fn powers_4_8(f0: f32, cos_i: f32) -> f32 {
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0363, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0363, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    8 operations
 // source  this library
 float powers_4_8(float f0, float cos_i) {
-    float one_minus_cos_i = 1.0 - cos_i;
-    float t = one_minus_cos_i * one_minus_cos_i;
-    float m4 = t * t;
-    return f0 + m4 * (0.55 - f0 + 0.45 * m4);
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    float x4 = x2 * x2;
+    return f0 + x4 * (0.55 - f0 + 0.45 * x4);
 }
 `, []);
 
@@ -1627,18 +1647,18 @@ float powers_4_8_dir(float f0, vec3 normal, vec3 direction) {
 export const powers48Rgb = /*@__PURE__*/ native(/* wgsl */ `
 // The same for three channels, which share the angle.
 fn powers_4_8_rgb(f0: vec3f, cos_i: f32) -> vec3f {
-    let one_minus_cos_i = 1.0 - cos_i;
-    let t = one_minus_cos_i * one_minus_cos_i;
-    let m4 = t * t;
-    return f0 + m4 * (0.55 - f0 + 0.45 * m4);
+    let x = 1.0 - cos_i;
+    let x2 = x * x;
+    let x4 = x2 * x2;
+    return f0 + x4 * (0.55 - f0 + 0.45 * x4);
 }
 `, /* glsl */ `
 // The same for three channels, which share the angle.
 vec3 powers_4_8_rgb(vec3 f0, float cos_i) {
-    float one_minus_cos_i = 1.0 - cos_i;
-    float t = one_minus_cos_i * one_minus_cos_i;
-    float m4 = t * t;
-    return f0 + m4 * (0.55 - f0 + 0.45 * m4);
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    float x4 = x2 * x2;
+    return f0 + x4 * (0.55 - f0 + 0.45 * x4);
 }
 `, []);
 
@@ -1659,14 +1679,14 @@ export const powers39 = /*@__PURE__*/ native(/* wgsl */ `
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0328, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0328, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    13 operations
 // source  this library
 fn powers_3_9(f0: f32, cos_i: f32) -> f32 {
     let a = max(0.46, f0);
-    let m = 1.0 - cos_i;
-    let m3 = m * m * m;
-    return saturate(f0 + m3 * (a - f0 + (1.0 - a) * (m3 * m3)));
+    let x = 1.0 - cos_i;
+    let x3 = x * x * x;
+    return saturate(f0 + x3 * (a - f0 + (1.0 - a) * (x3 * x3)));
 }
 `, /* glsl */ `
 // Two powers, less than half of Schlick's error on dielectrics.
@@ -1675,14 +1695,14 @@ fn powers_3_9(f0: f32, cos_i: f32) -> f32 {
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0328, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0328, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    13 operations
 // source  this library
 float powers_3_9(float f0, float cos_i) {
     float a = max(0.46, f0);
-    float m = 1.0 - cos_i;
-    float m3 = m * m * m;
-    return clamp(f0 + m3 * (a - f0 + (1.0 - a) * (m3 * m3)), 0.0, 1.0);
+    float x = 1.0 - cos_i;
+    float x3 = x * x * x;
+    return clamp(f0 + x3 * (a - f0 + (1.0 - a) * (x3 * x3)), 0.0, 1.0);
 }
 `, []);
 
@@ -1700,17 +1720,17 @@ export const powers39Rgb = /*@__PURE__*/ native(/* wgsl */ `
 // The same for three channels, which share the angle.
 fn powers_3_9_rgb(f0: vec3f, cos_i: f32) -> vec3f {
     let a = max(vec3f(0.46), f0);
-    let m = 1.0 - cos_i;
-    let m3 = m * m * m;
-    return saturate(f0 + m3 * (a - f0 + (1.0 - a) * (m3 * m3)));
+    let x = 1.0 - cos_i;
+    let x3 = x * x * x;
+    return saturate(f0 + x3 * (a - f0 + (1.0 - a) * (x3 * x3)));
 }
 `, /* glsl */ `
 // The same for three channels, which share the angle.
 vec3 powers_3_9_rgb(vec3 f0, float cos_i) {
     vec3 a = max(vec3(0.46), f0);
-    float m = 1.0 - cos_i;
-    float m3 = m * m * m;
-    return clamp(f0 + m3 * (a - f0 + (1.0 - a) * (m3 * m3)), 0.0, 1.0);
+    float x = 1.0 - cos_i;
+    float x3 = x * x * x;
+    return clamp(f0 + x3 * (a - f0 + (1.0 - a) * (x3 * x3)), 0.0, 1.0);
 }
 `, []);
 
@@ -1732,16 +1752,16 @@ export const powers369 = /*@__PURE__*/ native(/* wgsl */ `
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.00713, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.00713, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    27 operations
 // source  this library
 fn powers_3_6_9(f0: f32, cos_i: f32) -> f32 {
-    let s = sqrt(f0 + 8.271806e-25);
+    let s = sqrt(f0 + 8.271806e-25); // 2^-80 keeps the slope at f0 = 0 finite
     let p = 2.90623 * s - 0.02379 - 4.78491 * f0;
     let q = 0.43137 - 0.58931 * s - 2.31299 * f0;
     let r = 1.0 - f0 - p - q;
-    let m = 1.0 - cos_i;
-    let y = m * m * m;
+    let x = 1.0 - cos_i;
+    let y = x * x * x;
     return saturate(f0 + y * (p + y * (q + y * r)));
 }
 `, /* glsl */ `
@@ -1752,16 +1772,16 @@ fn powers_3_6_9(f0: f32, cos_i: f32) -> f32 {
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.00713, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.00713, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    27 operations
 // source  this library
 float powers_3_6_9(float f0, float cos_i) {
-    float s = sqrt(f0 + 8.271806e-25);
+    float s = sqrt(f0 + 8.271806e-25); // 2^-80 keeps the slope at f0 = 0 finite
     float p = 2.90623 * s - 0.02379 - 4.78491 * f0;
     float q = 0.43137 - 0.58931 * s - 2.31299 * f0;
     float r = 1.0 - f0 - p - q;
-    float m = 1.0 - cos_i;
-    float y = m * m * m;
+    float x = 1.0 - cos_i;
+    float y = x * x * x;
     return clamp(f0 + y * (p + y * (q + y * r)), 0.0, 1.0);
 }
 `, []);
@@ -1779,23 +1799,23 @@ float powers_3_6_9_dir(float f0, vec3 normal, vec3 direction) {
 export const powers369Rgb = /*@__PURE__*/ native(/* wgsl */ `
 // The same for three channels, which share the angle.
 fn powers_3_6_9_rgb(f0: vec3f, cos_i: f32) -> vec3f {
-    let s = sqrt(f0 + 8.271806e-25);
+    let s = sqrt(f0 + 8.271806e-25); // 2^-80 keeps the slope at f0 = 0 finite
     let p = 2.90623 * s - 0.02379 - 4.78491 * f0;
     let q = 0.43137 - 0.58931 * s - 2.31299 * f0;
     let r = 1.0 - f0 - p - q;
-    let m = 1.0 - cos_i;
-    let y = m * m * m;
+    let x = 1.0 - cos_i;
+    let y = x * x * x;
     return saturate(f0 + y * (p + y * (q + y * r)));
 }
 `, /* glsl */ `
 // The same for three channels, which share the angle.
 vec3 powers_3_6_9_rgb(vec3 f0, float cos_i) {
-    vec3 s = sqrt(f0 + 8.271806e-25);
+    vec3 s = sqrt(f0 + 8.271806e-25); // 2^-80 keeps the slope at f0 = 0 finite
     vec3 p = 2.90623 * s - 0.02379 - 4.78491 * f0;
     vec3 q = 0.43137 - 0.58931 * s - 2.31299 * f0;
     vec3 r = 1.0 - f0 - p - q;
-    float m = 1.0 - cos_i;
-    float y = m * m * m;
+    float x = 1.0 - cos_i;
+    float y = x * x * x;
     return clamp(f0 + y * (p + y * (q + y * r)), 0.0, 1.0);
 }
 `, []);
@@ -1816,7 +1836,7 @@ export const oneMinusCos = /*@__PURE__*/ native(/* wgsl */ `
 //   F = 1 - cos_i
 //
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.542, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.542, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    1 operations
 // source  Wloka 2002, Fresnel Reflection, fig. 4
 fn one_minus_cos(cos_i: f32) -> f32 {
@@ -1828,7 +1848,7 @@ fn one_minus_cos(cos_i: f32) -> f32 {
 //   F = 1 - cos_i
 //
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.542, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.542, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    1 operations
 // source  Wloka 2002, Fresnel Reflection, fig. 4
 float one_minus_cos(float cos_i) {
@@ -1853,7 +1873,7 @@ export const constant = /*@__PURE__*/ native(/* wgsl */ `
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.983, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.983, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    0 operations
 // source  no Fresnel effect
 fn constant(f0: f32, cos_i: f32) -> f32 {
@@ -1866,7 +1886,7 @@ fn constant(f0: f32, cos_i: f32) -> f32 {
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.983, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.983, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    0 operations
 // source  no Fresnel effect
 float constant(float f0, float cos_i) {
@@ -1915,19 +1935,19 @@ export const airConductor = /*@__PURE__*/ native(/* wgsl */ `
 // n       index relative to the medium in front, [0.001, 1000]
 // k       its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0638, certified: n in [0.1, 4], k in [1, 8]
+// error   at most 0.0638, certified for n in [0.1, 4], k in [1, 8]
 // cost    26 operations
 // source  Pharr and Humphreys, Physically Based Rendering; Lagarde 2013
 fn air_conductor(n: f32, k: f32, cos_i: f32) -> f32 {
     let k2 = k * k;
-    let t = n - cos_i;
-    let t_2 = n + cos_i;
-    let R_s = (t * t + k2) / (t_2 * t_2 + k2);
-    let t_3 = n * cos_i;
-    let t_3_minus_1 = t_3 - 1.0;
-    let t_4 = k2 * (cos_i * cos_i);
-    let t_3_plus_1 = t_3 + 1.0;
-    let R_p = (t_3_minus_1 * t_3_minus_1 + t_4) / (t_3_plus_1 * t_3_plus_1 + t_4);
+    let n_minus_c = n - cos_i;
+    let n_plus_c = n + cos_i;
+    let R_s = (n_minus_c * n_minus_c + k2) / (n_plus_c * n_plus_c + k2);
+    let nc = n * cos_i;
+    let kc2 = k2 * (cos_i * cos_i);
+    let nc_minus_1 = nc - 1.0;
+    let nc_plus_1 = nc + 1.0;
+    let R_p = (nc_minus_1 * nc_minus_1 + kc2) / (nc_plus_1 * nc_plus_1 + kc2);
     return (R_s + R_p) / 2.0;
 }
 `, /* glsl */ `
@@ -1939,19 +1959,19 @@ fn air_conductor(n: f32, k: f32, cos_i: f32) -> f32 {
 // n       index relative to the medium in front, [0.001, 1000]
 // k       its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0638, certified: n in [0.1, 4], k in [1, 8]
+// error   at most 0.0638, certified for n in [0.1, 4], k in [1, 8]
 // cost    26 operations
 // source  Pharr and Humphreys, Physically Based Rendering; Lagarde 2013
 float air_conductor(float n, float k, float cos_i) {
     float k2 = k * k;
-    float t = n - cos_i;
-    float t_2 = n + cos_i;
-    float R_s = (t * t + k2) / (t_2 * t_2 + k2);
-    float t_3 = n * cos_i;
-    float t_3_minus_1 = t_3 - 1.0;
-    float t_4 = k2 * (cos_i * cos_i);
-    float t_3_plus_1 = t_3 + 1.0;
-    float R_p = (t_3_minus_1 * t_3_minus_1 + t_4) / (t_3_plus_1 * t_3_plus_1 + t_4);
+    float n_minus_c = n - cos_i;
+    float n_plus_c = n + cos_i;
+    float R_s = (n_minus_c * n_minus_c + k2) / (n_plus_c * n_plus_c + k2);
+    float nc = n * cos_i;
+    float kc2 = k2 * (cos_i * cos_i);
+    float nc_minus_1 = nc - 1.0;
+    float nc_plus_1 = nc + 1.0;
+    float R_p = (nc_minus_1 * nc_minus_1 + kc2) / (nc_plus_1 * nc_plus_1 + kc2);
     return (R_s + R_p) / 2.0;
 }
 `, []);
@@ -1970,28 +1990,28 @@ export const airConductorRgb = /*@__PURE__*/ native(/* wgsl */ `
 // The same for three channels, which share the angle.
 fn air_conductor_rgb(n: vec3f, k: vec3f, cos_i: f32) -> vec3f {
     let k2 = k * k;
-    let t = n - cos_i;
-    let t_2 = n + cos_i;
-    let R_s = (t * t + k2) / (t_2 * t_2 + k2);
-    let t_3 = n * cos_i;
-    let t_3_minus_1 = t_3 - 1.0;
-    let t_4 = k2 * (cos_i * cos_i);
-    let t_3_plus_1 = t_3 + 1.0;
-    let R_p = (t_3_minus_1 * t_3_minus_1 + t_4) / (t_3_plus_1 * t_3_plus_1 + t_4);
+    let n_minus_c = n - cos_i;
+    let n_plus_c = n + cos_i;
+    let R_s = (n_minus_c * n_minus_c + k2) / (n_plus_c * n_plus_c + k2);
+    let nc = n * cos_i;
+    let kc2 = k2 * (cos_i * cos_i);
+    let nc_minus_1 = nc - 1.0;
+    let nc_plus_1 = nc + 1.0;
+    let R_p = (nc_minus_1 * nc_minus_1 + kc2) / (nc_plus_1 * nc_plus_1 + kc2);
     return (R_s + R_p) / 2.0;
 }
 `, /* glsl */ `
 // The same for three channels, which share the angle.
 vec3 air_conductor_rgb(vec3 n, vec3 k, float cos_i) {
     vec3 k2 = k * k;
-    vec3 t = n - cos_i;
-    vec3 t_2 = n + cos_i;
-    vec3 R_s = (t * t + k2) / (t_2 * t_2 + k2);
-    vec3 t_3 = n * cos_i;
-    vec3 t_3_minus_1 = t_3 - 1.0;
-    vec3 t_4 = k2 * (cos_i * cos_i);
-    vec3 t_3_plus_1 = t_3 + 1.0;
-    vec3 R_p = (t_3_minus_1 * t_3_minus_1 + t_4) / (t_3_plus_1 * t_3_plus_1 + t_4);
+    vec3 n_minus_c = n - cos_i;
+    vec3 n_plus_c = n + cos_i;
+    vec3 R_s = (n_minus_c * n_minus_c + k2) / (n_plus_c * n_plus_c + k2);
+    vec3 nc = n * cos_i;
+    vec3 kc2 = k2 * (cos_i * cos_i);
+    vec3 nc_minus_1 = nc - 1.0;
+    vec3 nc_plus_1 = nc + 1.0;
+    vec3 R_p = (nc_minus_1 * nc_minus_1 + kc2) / (nc_plus_1 * nc_plus_1 + kc2);
     return (R_s + R_p) / 2.0;
 }
 `, []);
@@ -2016,17 +2036,17 @@ export const lazanyi = /*@__PURE__*/ native(/* wgsl */ `
 // a       depth of the dip, about 2 n, [0, 2000]
 // alpha   sharpness of the dip, [0.1, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.045, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.045, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    33 operations
 // source  Lazanyi and Szirmay-Kalos 2005, Fresnel Term Approximations for Metals
 fn lazanyi(n: f32, k: f32, a: f32, alpha: f32, cos_i: f32) -> f32 {
-    let m = 1.0 - cos_i;
+    let x = 1.0 - cos_i;
     let n_minus_1 = n - 1.0;
     let k2 = k * k;
-    let m2 = m * m;
+    let x2 = x * x;
     let n_plus_1 = n + 1.0;
-    return saturate(min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (m2 * m2 * m)) / (n_plus_1 * n_plus_1 + k2),
-            1.0) - a * cos_i * pow(m, alpha));
+    let F = min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (x2 * x2 * x)) / (n_plus_1 * n_plus_1 + k2), 1.0);
+    return saturate(F - a * cos_i * pow(x, alpha));
 }
 `, /* glsl */ `
 // Schlick's approximation less a term for the dip of metals before grazing incidence.
@@ -2038,17 +2058,17 @@ fn lazanyi(n: f32, k: f32, a: f32, alpha: f32, cos_i: f32) -> f32 {
 // a       depth of the dip, about 2 n, [0, 2000]
 // alpha   sharpness of the dip, [0.1, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.045, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.045, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    33 operations
 // source  Lazanyi and Szirmay-Kalos 2005, Fresnel Term Approximations for Metals
 float lazanyi(float n, float k, float a, float alpha, float cos_i) {
-    float m = 1.0 - cos_i;
+    float x = 1.0 - cos_i;
     float n_minus_1 = n - 1.0;
     float k2 = k * k;
-    float m2 = m * m;
+    float x2 = x * x;
     float n_plus_1 = n + 1.0;
-    return clamp(min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (m2 * m2 * m)) / (n_plus_1 * n_plus_1 + k2),
-            1.0) - a * cos_i * pow(m, alpha), 0.0, 1.0);
+    float F = min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (x2 * x2 * x)) / (n_plus_1 * n_plus_1 + k2), 1.0);
+    return clamp(F - a * cos_i * pow(x, alpha), 0.0, 1.0);
 }
 `, []);
 
@@ -2065,24 +2085,26 @@ float lazanyi_dir(float n, float k, float a, float alpha, vec3 normal, vec3 dire
 export const lazanyiRgb = /*@__PURE__*/ native(/* wgsl */ `
 // The same for three channels, which share the angle.
 fn lazanyi_rgb(n: vec3f, k: vec3f, a: vec3f, alpha: vec3f, cos_i: f32) -> vec3f {
-    let m = 1.0 - cos_i;
+    let x = 1.0 - cos_i;
     let n_minus_1 = n - 1.0;
     let k2 = k * k;
-    let m2 = m * m;
+    let x2 = x * x;
     let n_plus_1 = n + 1.0;
-    return saturate(min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (m2 * m2 * m)) / (n_plus_1 * n_plus_1 + k2),
-            vec3f(1.0)) - a * cos_i * pow(vec3f(m), alpha));
+    let F = min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (x2 * x2 * x)) / (n_plus_1 * n_plus_1 + k2),
+            vec3f(1.0));
+    return saturate(F - a * cos_i * pow(vec3f(x), alpha));
 }
 `, /* glsl */ `
 // The same for three channels, which share the angle.
 vec3 lazanyi_rgb(vec3 n, vec3 k, vec3 a, vec3 alpha, float cos_i) {
-    float m = 1.0 - cos_i;
+    float x = 1.0 - cos_i;
     vec3 n_minus_1 = n - 1.0;
     vec3 k2 = k * k;
-    float m2 = m * m;
+    float x2 = x * x;
     vec3 n_plus_1 = n + 1.0;
-    return clamp(min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (m2 * m2 * m)) / (n_plus_1 * n_plus_1 + k2),
-            vec3(1.0)) - a * cos_i * pow(vec3(m), alpha), 0.0, 1.0);
+    vec3 F = min((n_minus_1 * n_minus_1 + k2 + 4.0 * n * (x2 * x2 * x)) / (n_plus_1 * n_plus_1 + k2),
+            vec3(1.0));
+    return clamp(F - a * cos_i * pow(vec3(x), alpha), 0.0, 1.0);
 }
 `, []);
 
@@ -2104,22 +2126,24 @@ export const gulbrandsen = /*@__PURE__*/ native(/* wgsl */ `
 // r       reflectance at normal incidence, [0, 1]
 // g       edge tint, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 1e-13, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 1e-13, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    99 operations
 // source  Gulbrandsen 2014, Artist Friendly Metallic Fresnel
 fn gulbrandsen(r: f32, g: f32, cos_i: f32) -> f32 {
-    let f0 = min(r, 0.9999) + 8.271806e-25;
-    let t = 1.0 + sqrt(f0);
-    let t_2 = t * t;
+    let f0 = min(r, 0.9999) + 8.271806e-25; // 2^-80 keeps its root's slope finite
+    let p = 1.0 + sqrt(f0);
+    let p2 = p * p;
     let one_minus_f0 = 1.0 - f0;
-    let n_max = t_2 / one_minus_f0;
+    let n_max = p2 / one_minus_f0;
     let n_min = one_minus_f0 / (1.0 + f0);
     let n = n_max * (1.0 - g) + n_min * g;
-    let k = sqrt(max((n_max - n) * (n - one_minus_f0 / t_2), 0.0) + 8.271806e-25);
+    let k = sqrt(max((n_max - n) * (n - one_minus_f0 / p2), 0.0) + 8.271806e-25);
     let c2 = cos_i * cos_i;
     let sin2 = 1.0 - c2;
     let s4 = sin2 * sin2;
-    let E = (n - 1.0) * (n + 1.0) - k * k; // Re m^2 - 1
+
+    // Snell
+    let E = (n - 1.0) * (n + 1.0) - k * k; // Re m^2 - n_i^2, m the complex index
     let Z = 2.0 * (n * k); // Im m^2
     let Z2 = Z * Z;
     let t0 = E + c2; // q^2 = t0 + i Z
@@ -2127,18 +2151,22 @@ fn gulbrandsen(r: f32, g: f32, cos_i: f32) -> f32 {
     let S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
     let u = sqrt(2.0 * S); // twice the larger of Re q and Im q
     let a = select(S, Z, t0 <= 0.0); // u Re q
+
+    // s-polarised, across the plane of incidence
     let h = 2.0 * (a * cos_i);
-    let F = (E * E + Z2) * S; // |c - q|^2 |c + q|^2
+    let F = (E * E + Z2) * S; // S |c - q|^2 |c + q|^2
     let G_s = (A + c2) * u + h;
-    let D_s = max(F + h * G_s, 1.1754944e-38); // |c + q|^4; 0 only for equal media at cos_i = 0
+    let D_s = max(F + h * G_s, 1.1754944e-38); // S |c + q|^4; 0 only for equal media at cos_i = 0
     let R_s = F / D_s;
+
+    // p-polarised, along it
     let h_p = h * sin2;
     let N = t0 * c2 - s4;
     let M = Z * c2;
     let M2 = M * M + 8.4703295e-22; // above 0, so that D_p is
-    let B = (N * N + M2) * S; // |q c - s^2|^2 |q c + s^2|^2
+    let B = (N * N + M2) * S; // S |q c - s^2|^2 |q c + s^2|^2
     let G_p = (A * c2 + s4) * u + h_p;
-    let D_p = B + h_p * G_p; // |q c + s^2|^4
+    let D_p = B + h_p * G_p; // S |q c + s^2|^4
     let R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0;
 }
@@ -2150,22 +2178,24 @@ fn gulbrandsen(r: f32, g: f32, cos_i: f32) -> f32 {
 // r       reflectance at normal incidence, [0, 1]
 // g       edge tint, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 1e-13, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 1e-13, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    99 operations
 // source  Gulbrandsen 2014, Artist Friendly Metallic Fresnel
 float gulbrandsen(float r, float g, float cos_i) {
-    float f0 = min(r, 0.9999) + 8.271806e-25;
-    float t = 1.0 + sqrt(f0);
-    float t_2 = t * t;
+    float f0 = min(r, 0.9999) + 8.271806e-25; // 2^-80 keeps its root's slope finite
+    float p = 1.0 + sqrt(f0);
+    float p2 = p * p;
     float one_minus_f0 = 1.0 - f0;
-    float n_max = t_2 / one_minus_f0;
+    float n_max = p2 / one_minus_f0;
     float n_min = one_minus_f0 / (1.0 + f0);
     float n = n_max * (1.0 - g) + n_min * g;
-    float k = sqrt(max((n_max - n) * (n - one_minus_f0 / t_2), 0.0) + 8.271806e-25);
+    float k = sqrt(max((n_max - n) * (n - one_minus_f0 / p2), 0.0) + 8.271806e-25);
     float c2 = cos_i * cos_i;
     float sin2 = 1.0 - c2;
     float s4 = sin2 * sin2;
-    float E_ = (n - 1.0) * (n + 1.0) - k * k; // Re m^2 - 1
+
+    // Snell
+    float E_ = (n - 1.0) * (n + 1.0) - k * k; // Re m^2 - n_i^2, m the complex index
     float Z = 2.0 * (n * k); // Im m^2
     float Z2 = Z * Z;
     float t0 = E_ + c2; // q^2 = t0 + i Z
@@ -2173,18 +2203,22 @@ float gulbrandsen(float r, float g, float cos_i) {
     float S = max(A + abs(t0), 8.881784e-16); // 0 only at the critical angle
     float u = sqrt(2.0 * S); // twice the larger of Re q and Im q
     float a = t0 <= 0.0 ? Z : S; // u Re q
+
+    // s-polarised, across the plane of incidence
     float h = 2.0 * (a * cos_i);
-    float F = (E_ * E_ + Z2) * S; // |c - q|^2 |c + q|^2
+    float F = (E_ * E_ + Z2) * S; // S |c - q|^2 |c + q|^2
     float G_s = (A + c2) * u + h;
-    float D_s = max(F + h * G_s, 1.1754944e-38); // |c + q|^4; 0 only for equal media at cos_i = 0
+    float D_s = max(F + h * G_s, 1.1754944e-38); // S |c + q|^4; 0 only for equal media at cos_i = 0
     float R_s = F / D_s;
+
+    // p-polarised, along it
     float h_p = h * sin2;
     float N = t0 * c2 - s4;
     float M = Z * c2;
     float M2 = M * M + 8.4703295e-22; // above 0, so that D_p is
-    float B = (N * N + M2) * S; // |q c - s^2|^2 |q c + s^2|^2
+    float B = (N * N + M2) * S; // S |q c - s^2|^2 |q c + s^2|^2
     float G_p = (A * c2 + s4) * u + h_p;
-    float D_p = B + h_p * G_p; // |q c + s^2|^4
+    float D_p = B + h_p * G_p; // S |q c + s^2|^4
     float R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0;
 }
@@ -2230,17 +2264,17 @@ export const f82 = /*@__PURE__*/ native(/* wgsl */ `
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0517, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0517, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    17 operations
 // source  Hoffman 2019, Fresnel Equations Considered Harmful
 fn f82(f0: f32, f82_: f32, cos_i: f32) -> f32 {
     let one_minus_f0 = 1.0 - f0;
-    let at_82 = f0 + one_minus_f0 * 0.46266437;
-    let b = (at_82 - f82_) * 17.651384;
-    let m = 1.0 - cos_i;
-    let m2 = m * m;
-    let m5 = m2 * m2 * m;
-    return saturate(f0 + one_minus_f0 * m5 - b * cos_i * (m5 * m));
+    let at_82 = f0 + one_minus_f0 * 0.46266437; // Schlick's curve at cos_i = 1/7: x^5 is (6/7)^5
+    let b = (at_82 - f82_) * 17.651384; // divided by c x^6 at cos_i = 1/7
+    let x = 1.0 - cos_i;
+    let x2 = x * x;
+    let x5 = x2 * x2 * x;
+    return saturate(f0 + one_minus_f0 * x5 - b * cos_i * (x5 * x));
 }
 `, /* glsl */ `
 // Schlick's approximation with a dip, through the reflectance at cos_i = 1/7.
@@ -2250,17 +2284,17 @@ fn f82(f0: f32, f82_: f32, cos_i: f32) -> f32 {
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0517, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0517, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    17 operations
 // source  Hoffman 2019, Fresnel Equations Considered Harmful
 float f82(float f0, float f82_, float cos_i) {
     float one_minus_f0 = 1.0 - f0;
-    float at_82 = f0 + one_minus_f0 * 0.46266437;
-    float b = (at_82 - f82_) * 17.651384;
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    float m5 = m2 * m2 * m;
-    return clamp(f0 + one_minus_f0 * m5 - b * cos_i * (m5 * m), 0.0, 1.0);
+    float at_82 = f0 + one_minus_f0 * 0.46266437; // Schlick's curve at cos_i = 1/7: x^5 is (6/7)^5
+    float b = (at_82 - f82_) * 17.651384; // divided by c x^6 at cos_i = 1/7
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    float x5 = x2 * x2 * x;
+    return clamp(f0 + one_minus_f0 * x5 - b * cos_i * (x5 * x), 0.0, 1.0);
 }
 `, []);
 
@@ -2278,23 +2312,23 @@ export const f82Rgb = /*@__PURE__*/ native(/* wgsl */ `
 // The same for three channels, which share the angle.
 fn f82_rgb(f0: vec3f, f82_: vec3f, cos_i: f32) -> vec3f {
     let one_minus_f0 = 1.0 - f0;
-    let at_82 = f0 + one_minus_f0 * 0.46266437;
-    let b = (at_82 - f82_) * 17.651384;
-    let m = 1.0 - cos_i;
-    let m2 = m * m;
-    let m5 = m2 * m2 * m;
-    return saturate(f0 + one_minus_f0 * m5 - b * cos_i * (m5 * m));
+    let at_82 = f0 + one_minus_f0 * 0.46266437; // Schlick's curve at cos_i = 1/7: x^5 is (6/7)^5
+    let b = (at_82 - f82_) * 17.651384; // divided by c x^6 at cos_i = 1/7
+    let x = 1.0 - cos_i;
+    let x2 = x * x;
+    let x5 = x2 * x2 * x;
+    return saturate(f0 + one_minus_f0 * x5 - b * cos_i * (x5 * x));
 }
 `, /* glsl */ `
 // The same for three channels, which share the angle.
 vec3 f82_rgb(vec3 f0, vec3 f82_, float cos_i) {
     vec3 one_minus_f0 = 1.0 - f0;
-    vec3 at_82 = f0 + one_minus_f0 * 0.46266437;
-    vec3 b = (at_82 - f82_) * 17.651384;
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    float m5 = m2 * m2 * m;
-    return clamp(f0 + one_minus_f0 * m5 - b * cos_i * (m5 * m), 0.0, 1.0);
+    vec3 at_82 = f0 + one_minus_f0 * 0.46266437; // Schlick's curve at cos_i = 1/7: x^5 is (6/7)^5
+    vec3 b = (at_82 - f82_) * 17.651384; // divided by c x^6 at cos_i = 1/7
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    float x5 = x2 * x2 * x;
+    return clamp(f0 + one_minus_f0 * x5 - b * cos_i * (x5 * x), 0.0, 1.0);
 }
 `, []);
 
@@ -2316,17 +2350,17 @@ export const f82Tint = /*@__PURE__*/ native(/* wgsl */ `
 // f0      reflectance at normal incidence, [0, 1]
 // tint    f82 over that of Schlick, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0517, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0517, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    18 operations
 // source  Kutz, Hasan and Edmondson 2021, Novel aspects of the Adobe Standard Material
 fn f82_tint(f0: f32, tint: f32, cos_i: f32) -> f32 {
     let one_minus_f0 = 1.0 - f0;
-    let at_82 = f0 + one_minus_f0 * 0.46266437;
-    let b = at_82 * (1.0 - tint) * 17.651384;
-    let m = 1.0 - cos_i;
-    let m2 = m * m;
-    let m5 = m2 * m2 * m;
-    return saturate(f0 + one_minus_f0 * m5 - b * cos_i * (m5 * m));
+    let at_82 = f0 + one_minus_f0 * 0.46266437; // Schlick's curve at cos_i = 1/7: x^5 is (6/7)^5
+    let b = at_82 * (1.0 - tint) * 17.651384; // divided by c x^6 at cos_i = 1/7
+    let x = 1.0 - cos_i;
+    let x2 = x * x;
+    let x5 = x2 * x2 * x;
+    return saturate(f0 + one_minus_f0 * x5 - b * cos_i * (x5 * x));
 }
 `, /* glsl */ `
 // Schlick's approximation with a dip, given as a fraction of its value at cos_i = 1/7.
@@ -2336,17 +2370,17 @@ fn f82_tint(f0: f32, tint: f32, cos_i: f32) -> f32 {
 // f0      reflectance at normal incidence, [0, 1]
 // tint    f82 over that of Schlick, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0517, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0517, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    18 operations
 // source  Kutz, Hasan and Edmondson 2021, Novel aspects of the Adobe Standard Material
 float f82_tint(float f0, float tint, float cos_i) {
     float one_minus_f0 = 1.0 - f0;
-    float at_82 = f0 + one_minus_f0 * 0.46266437;
-    float b = at_82 * (1.0 - tint) * 17.651384;
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    float m5 = m2 * m2 * m;
-    return clamp(f0 + one_minus_f0 * m5 - b * cos_i * (m5 * m), 0.0, 1.0);
+    float at_82 = f0 + one_minus_f0 * 0.46266437; // Schlick's curve at cos_i = 1/7: x^5 is (6/7)^5
+    float b = at_82 * (1.0 - tint) * 17.651384; // divided by c x^6 at cos_i = 1/7
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    float x5 = x2 * x2 * x;
+    return clamp(f0 + one_minus_f0 * x5 - b * cos_i * (x5 * x), 0.0, 1.0);
 }
 `, []);
 
@@ -2364,23 +2398,23 @@ export const f82TintRgb = /*@__PURE__*/ native(/* wgsl */ `
 // The same for three channels, which share the angle.
 fn f82_tint_rgb(f0: vec3f, tint: vec3f, cos_i: f32) -> vec3f {
     let one_minus_f0 = 1.0 - f0;
-    let at_82 = f0 + one_minus_f0 * 0.46266437;
-    let b = at_82 * (1.0 - tint) * 17.651384;
-    let m = 1.0 - cos_i;
-    let m2 = m * m;
-    let m5 = m2 * m2 * m;
-    return saturate(f0 + one_minus_f0 * m5 - b * cos_i * (m5 * m));
+    let at_82 = f0 + one_minus_f0 * 0.46266437; // Schlick's curve at cos_i = 1/7: x^5 is (6/7)^5
+    let b = at_82 * (1.0 - tint) * 17.651384; // divided by c x^6 at cos_i = 1/7
+    let x = 1.0 - cos_i;
+    let x2 = x * x;
+    let x5 = x2 * x2 * x;
+    return saturate(f0 + one_minus_f0 * x5 - b * cos_i * (x5 * x));
 }
 `, /* glsl */ `
 // The same for three channels, which share the angle.
 vec3 f82_tint_rgb(vec3 f0, vec3 tint, float cos_i) {
     vec3 one_minus_f0 = 1.0 - f0;
-    vec3 at_82 = f0 + one_minus_f0 * 0.46266437;
-    vec3 b = at_82 * (1.0 - tint) * 17.651384;
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    float m5 = m2 * m2 * m;
-    return clamp(f0 + one_minus_f0 * m5 - b * cos_i * (m5 * m), 0.0, 1.0);
+    vec3 at_82 = f0 + one_minus_f0 * 0.46266437; // Schlick's curve at cos_i = 1/7: x^5 is (6/7)^5
+    vec3 b = at_82 * (1.0 - tint) * 17.651384; // divided by c x^6 at cos_i = 1/7
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    float x5 = x2 * x2 * x;
+    return clamp(f0 + one_minus_f0 * x5 - b * cos_i * (x5 * x), 0.0, 1.0);
 }
 `, []);
 
@@ -2404,16 +2438,16 @@ export const hoffman = /*@__PURE__*/ native(/* wgsl */ `
 // f90     reflectance at grazing incidence, [0, 1]
 // power   sharpness of the rise, [0.1, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0184, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0184, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    34 operations
 // source  Hoffman 2019, Fresnel Equations Considered Harmful; MaterialX
 fn hoffman(f0: f32, f82: f32, f90: f32, power: f32, cos_i: f32) -> f32 {
-    let t = f90 - f0;
-    let at_82 = f0 + t * pow(0.85714287, power);
-    let b = (at_82 - f82) * 17.651384;
-    let m = 1.0 - cos_i;
-    let m2 = m * m;
-    return saturate(f0 + t * pow(m, power) - b * cos_i * (m2 * m2 * m2));
+    let rise = f90 - f0;
+    let at_82 = f0 + rise * pow(0.85714287, power); // at cos_i = 1/7: x is 6/7
+    let b = (at_82 - f82) * 17.651384; // divided by c x^6 at cos_i = 1/7
+    let x = 1.0 - cos_i;
+    let x2 = x * x;
+    return saturate(f0 + rise * pow(x, power) - b * cos_i * (x2 * x2 * x2));
 }
 `, /* glsl */ `
 // Schlick's approximation with a dip, any power and any reflectance at grazing incidence.
@@ -2425,16 +2459,16 @@ fn hoffman(f0: f32, f82: f32, f90: f32, power: f32, cos_i: f32) -> f32 {
 // f90     reflectance at grazing incidence, [0, 1]
 // power   sharpness of the rise, [0.1, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0184, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0184, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    34 operations
 // source  Hoffman 2019, Fresnel Equations Considered Harmful; MaterialX
 float hoffman(float f0, float f82, float f90, float power, float cos_i) {
-    float t = f90 - f0;
-    float at_82 = f0 + t * pow(0.85714287, power);
-    float b = (at_82 - f82) * 17.651384;
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    return clamp(f0 + t * pow(m, power) - b * cos_i * (m2 * m2 * m2), 0.0, 1.0);
+    float rise = f90 - f0;
+    float at_82 = f0 + rise * pow(0.85714287, power); // at cos_i = 1/7: x is 6/7
+    float b = (at_82 - f82) * 17.651384; // divided by c x^6 at cos_i = 1/7
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    return clamp(f0 + rise * pow(x, power) - b * cos_i * (x2 * x2 * x2), 0.0, 1.0);
 }
 `, []);
 
@@ -2451,22 +2485,22 @@ float hoffman_dir(float f0, float f82, float f90, float power, vec3 normal, vec3
 export const hoffmanRgb = /*@__PURE__*/ native(/* wgsl */ `
 // The same for three channels, which share the angle.
 fn hoffman_rgb(f0: vec3f, f82: vec3f, f90: vec3f, power: vec3f, cos_i: f32) -> vec3f {
-    let t = f90 - f0;
-    let at_82 = f0 + t * pow(vec3f(0.85714287), power);
-    let b = (at_82 - f82) * 17.651384;
-    let m = 1.0 - cos_i;
-    let m2 = m * m;
-    return saturate(f0 + t * pow(vec3f(m), power) - b * cos_i * (m2 * m2 * m2));
+    let rise = f90 - f0;
+    let at_82 = f0 + rise * pow(vec3f(0.85714287), power); // at cos_i = 1/7: x is 6/7
+    let b = (at_82 - f82) * 17.651384; // divided by c x^6 at cos_i = 1/7
+    let x = 1.0 - cos_i;
+    let x2 = x * x;
+    return saturate(f0 + rise * pow(vec3f(x), power) - b * cos_i * (x2 * x2 * x2));
 }
 `, /* glsl */ `
 // The same for three channels, which share the angle.
 vec3 hoffman_rgb(vec3 f0, vec3 f82, vec3 f90, vec3 power, float cos_i) {
-    vec3 t = f90 - f0;
-    vec3 at_82 = f0 + t * pow(vec3(0.85714287), power);
-    vec3 b = (at_82 - f82) * 17.651384;
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    return clamp(f0 + t * pow(vec3(m), power) - b * cos_i * (m2 * m2 * m2), 0.0, 1.0);
+    vec3 rise = f90 - f0;
+    vec3 at_82 = f0 + rise * pow(vec3(0.85714287), power); // at cos_i = 1/7: x is 6/7
+    vec3 b = (at_82 - f82) * 17.651384; // divided by c x^6 at cos_i = 1/7
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    return clamp(f0 + rise * pow(vec3(x), power) - b * cos_i * (x2 * x2 * x2), 0.0, 1.0);
 }
 `, []);
 
@@ -2489,17 +2523,17 @@ export const powers412 = /*@__PURE__*/ native(/* wgsl */ `
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0342, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0342, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    16 operations
 // source  this library
 fn powers_4_12(f0: f32, f82: f32, cos_i: f32) -> f32 {
     let one_minus_f0 = 1.0 - f0;
-    let rise = one_minus_f0 - (f82 - f0) * 1.8526235;
-    let q = rise * 1.4111481;
-    let one_minus_cos_i = 1.0 - cos_i;
-    let t = one_minus_cos_i * one_minus_cos_i;
-    let m4 = t * t;
-    return saturate(f0 + m4 * (one_minus_f0 - q + q * (m4 * m4)));
+    let rise = one_minus_f0 - (f82 - f0) * 1.8526235; // 1 / x^4 at cos_i = 1/7: (7/6)^4
+    let q = rise * 1.4111481; // 1 / (1 - x^8) there
+    let x = 1.0 - cos_i;
+    let x2 = x * x;
+    let x4 = x2 * x2;
+    return saturate(f0 + x4 * (one_minus_f0 - q + q * (x4 * x4)));
 }
 `, /* glsl */ `
 // Two powers through f0 and f82.
@@ -2509,17 +2543,17 @@ fn powers_4_12(f0: f32, f82: f32, cos_i: f32) -> f32 {
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0342, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0342, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    16 operations
 // source  this library
 float powers_4_12(float f0, float f82, float cos_i) {
     float one_minus_f0 = 1.0 - f0;
-    float rise = one_minus_f0 - (f82 - f0) * 1.8526235;
-    float q = rise * 1.4111481;
-    float one_minus_cos_i = 1.0 - cos_i;
-    float t = one_minus_cos_i * one_minus_cos_i;
-    float m4 = t * t;
-    return clamp(f0 + m4 * (one_minus_f0 - q + q * (m4 * m4)), 0.0, 1.0);
+    float rise = one_minus_f0 - (f82 - f0) * 1.8526235; // 1 / x^4 at cos_i = 1/7: (7/6)^4
+    float q = rise * 1.4111481; // 1 / (1 - x^8) there
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    float x4 = x2 * x2;
+    return clamp(f0 + x4 * (one_minus_f0 - q + q * (x4 * x4)), 0.0, 1.0);
 }
 `, []);
 
@@ -2537,23 +2571,23 @@ export const powers412Rgb = /*@__PURE__*/ native(/* wgsl */ `
 // The same for three channels, which share the angle.
 fn powers_4_12_rgb(f0: vec3f, f82: vec3f, cos_i: f32) -> vec3f {
     let one_minus_f0 = 1.0 - f0;
-    let rise = one_minus_f0 - (f82 - f0) * 1.8526235;
-    let q = rise * 1.4111481;
-    let one_minus_cos_i = 1.0 - cos_i;
-    let t = one_minus_cos_i * one_minus_cos_i;
-    let m4 = t * t;
-    return saturate(f0 + m4 * (one_minus_f0 - q + q * (m4 * m4)));
+    let rise = one_minus_f0 - (f82 - f0) * 1.8526235; // 1 / x^4 at cos_i = 1/7: (7/6)^4
+    let q = rise * 1.4111481; // 1 / (1 - x^8) there
+    let x = 1.0 - cos_i;
+    let x2 = x * x;
+    let x4 = x2 * x2;
+    return saturate(f0 + x4 * (one_minus_f0 - q + q * (x4 * x4)));
 }
 `, /* glsl */ `
 // The same for three channels, which share the angle.
 vec3 powers_4_12_rgb(vec3 f0, vec3 f82, float cos_i) {
     vec3 one_minus_f0 = 1.0 - f0;
-    vec3 rise = one_minus_f0 - (f82 - f0) * 1.8526235;
-    vec3 q = rise * 1.4111481;
-    float one_minus_cos_i = 1.0 - cos_i;
-    float t = one_minus_cos_i * one_minus_cos_i;
-    float m4 = t * t;
-    return clamp(f0 + m4 * (one_minus_f0 - q + q * (m4 * m4)), 0.0, 1.0);
+    vec3 rise = one_minus_f0 - (f82 - f0) * 1.8526235; // 1 / x^4 at cos_i = 1/7: (7/6)^4
+    vec3 q = rise * 1.4111481; // 1 / (1 - x^8) there
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    float x4 = x2 * x2;
+    return clamp(f0 + x4 * (one_minus_f0 - q + q * (x4 * x4)), 0.0, 1.0);
 }
 `, []);
 
@@ -2575,7 +2609,7 @@ export const powers2816 = /*@__PURE__*/ native(/* wgsl */ `
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0357, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0357, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    23 operations
 // source  this library
 fn powers_2_8_16(f0: f32, f82: f32, cos_i: f32) -> f32 {
@@ -2584,11 +2618,11 @@ fn powers_2_8_16(f0: f32, f82: f32, cos_i: f32) -> f32 {
     let c2 = 1.04343 * dip - 0.2752 * rise;
     let c8 = 1.55944 * dip + 0.45498 * rise;
     let c16 = 0.82022 * rise - 2.60287 * dip;
-    let one_minus_cos_i = 1.0 - cos_i;
-    let m2 = one_minus_cos_i * one_minus_cos_i;
-    let m2_2 = m2 * m2;
-    let m8 = m2_2 * m2_2;
-    return saturate(f0 + c2 * m2 + m8 * (c8 + c16 * m8));
+    let x = 1.0 - cos_i;
+    let x2 = x * x;
+    let x4 = x2 * x2;
+    let x8 = x4 * x4;
+    return saturate(f0 + c2 * x2 + x8 * (c8 + c16 * x8));
 }
 `, /* glsl */ `
 // Three powers through f0 and f82.
@@ -2598,7 +2632,7 @@ fn powers_2_8_16(f0: f32, f82: f32, cos_i: f32) -> f32 {
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0357, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0357, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    23 operations
 // source  this library
 float powers_2_8_16(float f0, float f82, float cos_i) {
@@ -2607,11 +2641,11 @@ float powers_2_8_16(float f0, float f82, float cos_i) {
     float c2 = 1.04343 * dip - 0.2752 * rise;
     float c8 = 1.55944 * dip + 0.45498 * rise;
     float c16 = 0.82022 * rise - 2.60287 * dip;
-    float one_minus_cos_i = 1.0 - cos_i;
-    float m2 = one_minus_cos_i * one_minus_cos_i;
-    float m2_2 = m2 * m2;
-    float m8 = m2_2 * m2_2;
-    return clamp(f0 + c2 * m2 + m8 * (c8 + c16 * m8), 0.0, 1.0);
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    float x4 = x2 * x2;
+    float x8 = x4 * x4;
+    return clamp(f0 + c2 * x2 + x8 * (c8 + c16 * x8), 0.0, 1.0);
 }
 `, []);
 
@@ -2633,11 +2667,11 @@ fn powers_2_8_16_rgb(f0: vec3f, f82: vec3f, cos_i: f32) -> vec3f {
     let c2 = 1.04343 * dip - 0.2752 * rise;
     let c8 = 1.55944 * dip + 0.45498 * rise;
     let c16 = 0.82022 * rise - 2.60287 * dip;
-    let one_minus_cos_i = 1.0 - cos_i;
-    let m2 = one_minus_cos_i * one_minus_cos_i;
-    let m2_2 = m2 * m2;
-    let m8 = m2_2 * m2_2;
-    return saturate(f0 + c2 * m2 + m8 * (c8 + c16 * m8));
+    let x = 1.0 - cos_i;
+    let x2 = x * x;
+    let x4 = x2 * x2;
+    let x8 = x4 * x4;
+    return saturate(f0 + c2 * x2 + x8 * (c8 + c16 * x8));
 }
 `, /* glsl */ `
 // The same for three channels, which share the angle.
@@ -2647,11 +2681,11 @@ vec3 powers_2_8_16_rgb(vec3 f0, vec3 f82, float cos_i) {
     vec3 c2 = 1.04343 * dip - 0.2752 * rise;
     vec3 c8 = 1.55944 * dip + 0.45498 * rise;
     vec3 c16 = 0.82022 * rise - 2.60287 * dip;
-    float one_minus_cos_i = 1.0 - cos_i;
-    float m2 = one_minus_cos_i * one_minus_cos_i;
-    float m2_2 = m2 * m2;
-    float m8 = m2_2 * m2_2;
-    return clamp(f0 + c2 * m2 + m8 * (c8 + c16 * m8), 0.0, 1.0);
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    float x4 = x2 * x2;
+    float x8 = x4 * x4;
+    return clamp(f0 + c2 * x2 + x8 * (c8 + c16 * x8), 0.0, 1.0);
 }
 `, []);
 
@@ -2674,7 +2708,7 @@ export const biasScalePower = /*@__PURE__*/ native(/* wgsl */ `
 // scale   strength of the rim, [-10, 10]
 // power   sharpness of the rise, [0.1, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.275, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.275, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    14 operations
 // source  Fernando and Kilgard 2003, The Cg Tutorial, ch. 7; Halladay 2014, Fresnel Shading
 fn bias_scale_power(bias: f32, scale: f32, power: f32, cos_i: f32) -> f32 {
@@ -2689,7 +2723,7 @@ fn bias_scale_power(bias: f32, scale: f32, power: f32, cos_i: f32) -> f32 {
 // scale   strength of the rim, [-10, 10]
 // power   sharpness of the rise, [0.1, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.275, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.275, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    14 operations
 // source  Fernando and Kilgard 2003, The Cg Tutorial, ch. 7; Halladay 2014, Fresnel Shading
 float bias_scale_power(float bias, float scale, float power, float cos_i) {

@@ -154,15 +154,25 @@ certificate certify(const Model& model, const Exact& exact, const box<D>& where,
 
 const interval any_cosine = interval::between(0, 1);
 
+/// At eta = 1 nothing is reflected. A model that stays above some number at 60 degrees as eta comes near 1 is therefore
+/// wrong by more than any factor.
+template <class Row>
+bool unbounded_near_match(const Row& row) {
+    const interval near = interval::between(1, 1 + 0x1p-20);
+    return of_f0(row, normal_reflectance(interval(1), near, interval(0)), ratio<interval, 1, 2>()).lo > 0;
+}
+
 template <class Row>
 certificate over_gems(const Row& row) {
-    return certify<2>(
+    certificate result = certify<2>(
         [&](const auto& x) {
             return of_f0(row, normal_reflectance(decltype(x[0] + x[0])(1), x[0], decltype(x[0] + x[0])(0)),
                          x[1]);
         },
         [](const auto& x) { return exact_dielectric(x[0], x[1]); }, {interval::between(1.3, 2.5), any_cosine},
         {"eta", "cos_i"});
+    result.unbounded_near_match = unbounded_near_match(row);
+    return result;
 }
 
 template <class T>

@@ -82,8 +82,9 @@ cost_subject subject_of(std::string_view model, bool air) {
                                      [](const parameter& p) { return p.name == std::string_view("n_i"); });
     if (air && has_n_i) wanted.fixed["n_i"] = {1, 1, 1};
     const language& glsl = find_language("glsl");
+    const style plain = {.precise = false, .comment = false};
     return {legal_name(glsl, model), parameters.size() + 1 - wanted.fixed.size(),
-            scalar_text(glsl, wanted, {.precise = false, .comment = false})};
+            twofold_text_for(glsl, wanted, plain) + scalar_text(glsl, wanted, plain)};
 }
 
 shader_program cost_program(const cost_subject& subject, shader_stage stage, int times, bool evaluates) {

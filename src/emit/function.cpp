@@ -3,9 +3,6 @@
 #include "analysis/prove.hpp"
 #include "error.hpp"
 
-#include <fresnel/geometry.hpp>
-#include <fresnel/shading.hpp>
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -69,7 +66,7 @@ void add_equation(std::vector<std::string>& lines, std::string_view equation) {
 
 std::string error_of(const model_row<double>& row) {
     if (!row.error.in_float32.empty()) return fmt::format("rounding only, in float {}", row.error.in_float32);
-    return fmt::format("at most {:.3g}, {}: {}", row.error.max,
+    return fmt::format("at most {:.3g}, {} for {}", row.error.max,
                        can_prove(row.error.over) ? "certified" : "measured", row.error.over);
 }
 
@@ -114,6 +111,26 @@ void record_row(const Row& row, function& f, const request& wanted) {
 
 } // namespace
 
+namespace {
+
+// A call of three at once, for channel c: `now` has the node of each channel that a node became.
+void note_channel(const function& f, const function_call& call, const std::vector<bool>& needed,
+                  const std::vector<std::array<std::uint32_t, 3>>& now, std::size_t c, function& split) {
+    function_call one{call.function, call.arguments, {now[call.results[0]][c], now[call.results[1]][c]}};
+    for (auto& argument : one.arguments)
+        for (std::uint32_t& node : argument) {
+            if (!needed[node]) return;
+            node = now[node][c];
+        }
+    const std::uint32_t first = one.results[0];
+    split.graph.note(std::move(one));
+    if (call.named == 0) return;
+    const std::string suffix = f.graph[call.results[0]].width == 3 ? std::string("_") + "rgb"[c] : "";
+    split.graph.name_pair(first, call.name + suffix, call.remark);
+}
+
+} // namespace
+
 function scalarized(const function& f, std::string (*component)(std::string_view name, int i)) {
     function split;
     split.name = f.name, split.arguments = f.arguments, split.comment = f.comment;
@@ -146,6 +163,9 @@ function scalarized(const function& f, std::string (*component)(std::string_view
                                  x.width == 3 ? x.name + "_" + (f.directions ? "xyz" : "rgb")[c] : x.name);
         }
     }
+    for (const function_call& call : f.graph.calls())
+        for (std::size_t c = 0; c < 3; ++c)
+            note_channel(f, call, needed, now, c, split);
     for (const result& r : f.results)
         for (std::size_t c = 0; c < (split.components ? 3u : 1u); ++c)
             split.results.push_back({r.name, now[r.node][c]});
@@ -161,6 +181,13 @@ std::vector<bool> needed_nodes(const function& f) {
             for (std::size_t k = 0; k < arity(f.graph[static_cast<std::uint32_t>(i)].op); ++k)
                 needed[f.graph[static_cast<std::uint32_t>(i)].operands[k]] = true;
     return needed;
+}
+
+bool calls_twofold(const function& f) {
+    const std::vector<bool> needed = needed_nodes(f);
+    for (std::uint32_t i = 0; i < f.graph.size(); ++i)
+        if (needed[i] && f.graph.call_of(i) != nullptr) return true;
+    return false;
 }
 
 operation_count count_operations(const function& f) {
@@ -216,110 +243,6 @@ function record(std::string_view model, const request& wanted) {
     simplify(f);
     f.comment = comment_of(row, f);
     return f;
-}
-
-namespace {
-
-// A function that is not of the registry: its arguments are declared, then `body` makes its value of them.
-template <class Body>
-function record_helper(std::string_view name, std::vector<argument> arguments,
-                       std::vector<std::string> comment, Body&& body) {
-    function f;
-    f.name = name;
-    f.arguments = std::move(arguments);
-    f.directions = true;
-    const recording scope(f.graph);
-    std::vector<sym> values;
-    for (const argument& a : f.arguments)
-        values.push_back(f.graph.input(a.name, a.width));
-    f.results = {{std::string(name), body(values).node()}};
-    simplify(f);
-    f.comment = std::move(comment);
-    f.comment.emplace_back();
-    for (const argument& a : f.arguments)
-        f.comment.push_back(fmt::format("{:<9} {}", a.name, a.meaning));
-    return f;
-}
-
-} // namespace
-
-std::vector<function> record_geometry() {
-    using values = const std::vector<sym>&;
-    const argument v{"direction", 3,
-                     "where the light comes from, or the eye is; unit, on the side of normal"};
-    const argument n{"normal", 3, "unit"};
-    const argument eta{"eta", 1, "n_t / n_i, above 0"};
-    const argument cos_i{"cos_i", 1, std::string(angle_meaning)};
-    std::vector<function> all;
-    all.push_back(record_helper("incidence_cosine", {n, v},
-                                {"The cosine between two directions, 0 where they lie on opposite sides."},
-                                [](values x) { return fresnel::incidence_cosine(x[0], x[1]); }));
-    all.push_back(record_helper("reflected_direction", {v, n},
-                                {"The mirror direction, on the side of normal.", "", "  r = 2 (n . v) n - v"},
-                                [](values x) { return fresnel::reflect(x[0], x[1]); }));
-    all.push_back(
-        record_helper("refracted_direction", {v, n, eta},
-                      {"The refracted direction, on the other side of normal; the zero vector beyond the "
-                       "critical angle.",
-                       "", "  t = -(v - cos_i n) / eta - cos_t n"},
-                      [](values x) { return fresnel::refract(x[0], x[1], x[2]); }));
-    all.push_back(record_helper("refracted_cosine", {eta, cos_i},
-                                {"Snell's law: cosine of the transmitted ray, 0 beyond the critical angle.",
-                                 "", "  cos_t = sqrt(eta^2 - 1 + cos_i^2) / eta"},
-                                [](values x) { return fresnel::refracted_cosine(x[0], x[1]); }));
-    all.push_back(
-        record_helper("critical_cosine", {eta},
-                      {"Cosine of the critical angle, beyond which everything is reflected; 0 where there "
-                       "is none.",
-                       "", "  cos_c = sqrt(1 - eta^2)"},
-                      [](values x) { return fresnel::critical_cosine(x[0]); }));
-    all.push_back(record_helper("brewster_cosine", {eta},
-                                {"Cosine of Brewster's angle, at which p-polarised light is not reflected.",
-                                 "", "  cos_B = 1 / sqrt(1 + eta^2)"},
-                                [](values x) { return fresnel::brewster_cosine(x[0]); }));
-    all.push_back(record_helper("f0_from_eta", {eta},
-                                {"Reflectance at normal incidence.", "", "  f0 = ((eta - 1) / (eta + 1))^2"},
-                                [](values x) { return fresnel::f0_from_eta(x[0]); }));
-    all.push_back(record_helper("eta_from_f0", {{"f0", 1, "reflectance at normal incidence, [0, 1)"}},
-                                {"The relative index above 1 that has this f0.", "",
-                                 "  eta = (1 + sqrt f0) / (1 - sqrt f0) = (1 + sqrt f0)^2 / (1 - f0)"},
-                                [](values x) { return fresnel::eta_from_f0(x[0]); }));
-    return all;
-}
-
-std::vector<function> record_shading() {
-    using values = const std::vector<sym>&;
-    const argument cos_i{"cos_i", 1, "cosine between view and normal, [0, 1]"};
-    const argument part{"fresnel", 1, "opacity by reflection, [0, 1]"};
-    std::vector<function> all;
-    all.push_back(record_helper("phong_lobe",
-                                {{"cos_r", 1, "cosine between the view and the mirrored light, [-1, 1]"},
-                                 {"shininess", 1, "sharpness, above 0"}},
-                                {"The lobe of Phong's highlight, to be multiplied by the reflectance.", "",
-                                 "  max(cos_r, 0)^shininess"},
-                                [](values x) { return fresnel::phong_lobe(x[0], x[1]); }));
-    all.push_back(record_helper("opacity_fresnel",
-                                {{"a0", 1, "opacity by reflection seen along the normal, [0, 1]"}, cos_i},
-                                {"Opacity by reflection: from the user's value to 1 at the silhouette.", "",
-                                 "  a0 + (1 - a0) (1 - cos_i)^5"},
-                                [](values x) { return fresnel::opacity_fresnel(x[0], x[1]); }));
-    all.push_back(record_helper(
-        "opacity_silhouette", {{"a", 1, "opacity by attenuation seen along the normal, [0, 1]"}, cos_i},
-        {"Opacity by attenuation in a thin layer, in proportion to the path through it.", "",
-         "  min(1, a / cos_i)"},
-        [](values x) { return fresnel::opacity_silhouette(x[0], x[1]); }));
-    all.push_back(record_helper(
-        "opacity_attenuation",
-        {{"total", 1, "opacity of the whole, [0, 1]"}, {"fresnel", 1, "opacity by reflection, [0, 1)"}},
-        {"The opacity by attenuation that gives a layer a total opacity; negative "
-         "where there is none.",
-         "", "  (total - fresnel) / (1 - fresnel)"},
-        [](values x) { return fresnel::opacity_attenuation(x[0], x[1]); }));
-    all.push_back(record_helper(
-        "opacity_total", {{"attenuation", 1, "opacity by attenuation, [0, 1]"}, part},
-        {"Opacity of a layer that attenuates and reflects.", "", "  1 - (1 - attenuation) (1 - fresnel)"},
-        [](values x) { return fresnel::opacity_total(x[0], x[1]); }));
-    return all;
 }
 
 } // namespace fresnel::emit

@@ -11,10 +11,10 @@
 
 namespace fresnel::emit {
 
-/// An argument of an emitted function: one number, or three.
+/// An argument of an emitted function: one number, two or three.
 struct argument {
     std::string name;
-    int width;           ///< 1, or 3 for an RGB value or a vector
+    int width;           ///< 1, 2 for a twofold, or 3 for an RGB value or a vector
     std::string meaning; ///< what stands after the name in the text's comment: what it is, its domain
 };
 
@@ -28,13 +28,13 @@ struct result {
 struct function {
     std::string name;
     std::vector<argument> arguments; ///< in the order of the registry, cos_i last
-    std::vector<result> results;     ///< the reflectance alone, or R_s, R_p, T_s and T_p
+    std::vector<result> results; ///< the reflectance alone, or R_s, R_p, T_s and T_p, or the two of a twofold
     expression_graph graph;
     std::vector<std::string> comment; ///< what is said above it, a line each
     bool directions = false;          ///< whether its triples are directions in space, not RGB values
     bool components = false;          ///< whether its three results are the components of one
 
-    int width() const { return components ? 3 : graph[results.front().node].width; }
+    int width() const { return components ? 3 : results.size() == 2 ? 2 : graph[results.front().node].width; }
 };
 
 /// What of a model is recorded.
@@ -55,6 +55,12 @@ std::vector<function> record_geometry();
 
 /// phong_lobe, opacity_fresnel, opacity_silhouette, opacity_attenuation and opacity_total: highlights and thin layers.
 std::vector<function> record_shading();
+
+/// two_sum, halves, two_product and the sums, differences and products of twofolds: what compensated models call.
+std::vector<function> record_twofold();
+
+/// Whether a function calls those of record_twofold.
+bool calls_twofold(const function& f);
 
 /// The same value with less to read and to compute:
 ///   m ? a : f(m ? b : c)       becomes m ? a : f(c)

@@ -29,6 +29,7 @@ struct language {
     std::string_view scalar;    ///< its float
     std::string_view triple;    ///< its RGB value
     std::string_view vector;    ///< its direction; often the same type
+    std::string_view pair;      ///< two numbers, x and y
     std::string_view mask;      ///< three truth values; none: a choice is made component by component
     std::string_view qualifier; ///< before a function
     std::string_view literal_suffix;
@@ -42,8 +43,12 @@ struct language {
 
     /// The function of an operation: "sqrt", "fmaxf" ...
     std::string_view name_of(operation op) const;
+    /// Whether - works on two numbers at once.
+    bool pair_arithmetic() const { return arithmetic && !pair.starts_with("fresnel"); }
     /// The declared type of a value.
-    std::string_view type(int width) const { return width == 3 ? triple : scalar; }
+    std::string_view type(int width, bool direction = false) const {
+        return width == 1 ? scalar : width == 2 ? pair : direction ? vector : triple;
+    }
 };
 
 /// GLSL, GLSL ES, HLSL, MSL, WGSL, OSL, CUDA and HIP, C99 and Slang.

@@ -22,6 +22,16 @@ std::string returning(const language& l, const std::string& value) {
     return fmt::format("    return {};\n", value);
 }
 
+// The same text with a line for each part, where one line for all is too long.
+std::string below_each_other(std::string text, const std::vector<std::string>& parts) {
+    constexpr std::size_t longest = 110;
+    if (text.find('\n') <= longest) return text;
+    const std::string indent(text.find(parts.front()), ' ');
+    for (std::size_t i = 1; i < parts.size(); ++i)
+        text.replace(text.find(", " + parts[i]), 2, ",\n" + indent);
+    return text;
+}
+
 // Three channels by three calls.
 std::string by_channel(const language& l, const function& rgb, const std::string& scalar_name) {
     const std::string name = printed_name(l, rgb.name, 3, false);
@@ -32,7 +42,8 @@ std::string by_channel(const language& l, const function& rgb, const std::string
             if (rgb.arguments[k].width == 3) arguments[k] = component(l, arguments[k], i);
         channels.push_back(call(scalar_name, arguments));
     }
-    return signature(l, rgb, name) + " {\n" + returning(l, triple_of(l, channels)) + "}\n";
+    return signature(l, rgb, name) + " {\n" +
+           below_each_other(returning(l, triple_of(l, channels)), channels) + "}\n";
 }
 
 // The same function of two directions in place of cos_i.
@@ -129,6 +140,17 @@ std::vector<std::string> helper_types(const language& l) {
     return lines;
 }
 
+// The type of two numbers and what makes one, in a language that has none.
+std::string pair_type(const language& l) {
+    if (l.id != "c" && l.id != "osl") return {};
+    const std::string_view function = l.id == "c" ? "static inline " : "";
+    return std::string(l.id == "c" ? "typedef struct {\n    float x, y;\n} fresnel_float2;\n"
+                                   : "struct fresnel_float2 {\n    float x;\n    float y;\n};\n") +
+           fmt::format("\n{}fresnel_float2 fresnel_make_float2(float x, float y) {{\n"
+                       "    fresnel_float2 result = {{x, y}};\n    return result;\n}}\n",
+                       function);
+}
+
 // ---- what a file opens and closes with --------------------------------------------------------------------
 
 // Whether a language has a preprocessor, which keeps a text from being read twice.
@@ -181,10 +203,12 @@ namespace {
 
 std::string head(const language& l, std::string_view made_by) {
     const std::vector<std::string> lines = {
-        fmt::format("Fresnel reflectance in {}. Made by `{}`; do not edit.", l.title, made_by),
+        fmt::format("Fresnel reflectance in {}.", l.title),
+        fmt::format("Made by `{}`; do not edit.", made_by),
         "",
         "eta = n_t / n_i, the index behind the surface over the one in front; complex: n + i k.",
-        "cos_i is the cosine of incidence, in [0, 1].",
+        "cos_i is the cosine of incidence, in [0, 1]. In the equations c is cos_i, s is sin_i and",
+        "x is 1 - c; _s and _p are the polarisations across and along the plane of incidence.",
         "Directions are unit vectors and point away from the surface; the one beside the normal is",
         "yours: the view, the light or the half vector with either.",
         "Reflectance is of unpolarised light and lies in [0, 1]. RGB values are linear.",
@@ -199,7 +223,25 @@ std::string common(const language& l) {
 
 } // namespace
 
-std::string preamble(const language& l, std::string_view made_by) { return head(l, made_by) + common(l); }
+std::string preamble(const language& l, std::string_view made_by, std::span<const model_request> models,
+                     const style& how) {
+    std::string text = head(l, made_by) + common(l);
+    for (const model_request& model : models)
+        if (const std::string twofold = twofold_text_for(l, model, how); !twofold.empty())
+            return text + "\n" + guarded(l, "_twofold", twofold);
+    return text;
+}
+
+std::string twofold_text(const language& l, const style& how) {
+    std::string text = pair_type(l);
+    for (const function& f : record_twofold())
+        text += (text.empty() ? "" : "\n") + wrapped_lines(print(l, f, how));
+    return text;
+}
+
+std::string twofold_text_for(const language& l, const model_request& wanted, const style& how) {
+    return calls_twofold(record(wanted.model, {1, false, wanted.fixed})) ? twofold_text(l, how) : "";
+}
 
 std::string scalar_text(const language& l, const model_request& wanted, const style& how) {
     return wrapped_lines(print(l, named(l, record(wanted.model, {1, false, wanted.fixed}), wanted), how));
@@ -251,14 +293,16 @@ sole_function sole_text(const language& l, const model_request& wanted, int widt
     sole_function sole{{}, printed_name(l, f.name, f.width(), false), f.arguments, f.width()};
     sole.arguments.pop_back();
     const std::string own = legal_name(l, f.name);
+    sole.text = twofold_text_for(l, wanted);
+    if (!sole.text.empty()) sole.text += "\n";
     if (!three) {
-        sole.text = comment_block(f.comment) +
-                    rename(print(l, f, {.precise = false, .comment = false}), own, sole.name);
+        sole.text += comment_block(f.comment) +
+                     rename(print(l, f, {.precise = false, .comment = false}), own, sole.name);
     } else if (compares(rgb) || !l.arithmetic) {
         rgb.comment = {"The same for three channels, which share the angle."};
-        sole.text = print(l, scalar) + "\n" + rgb_alone(l, rgb, {});
+        sole.text += print(l, scalar) + "\n" + rgb_alone(l, rgb, {});
     } else {
-        sole.text = rgb_alone(l, rgb, {});
+        sole.text += rgb_alone(l, rgb, {});
     }
     return sole;
 }
@@ -276,6 +320,8 @@ std::string library_text(const language& l) {
         const std::string_view kind = row.kind == model_kind::exact      ? "exact"
                                       : row.kind == model_kind::artistic ? "artistic"
                                                                          : "approximations";
+        if (row.kind == model_kind::exact && title.empty())
+            text += rule("twice the digits") + twofold_text(l) + "\n";
         if (kind != title) text += rule(title = kind);
         text += model_text(l, {std::string(row.name)}) + "\n";
     }

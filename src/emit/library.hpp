@@ -2,6 +2,7 @@
 
 #include "emit/printer.hpp"
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -31,14 +32,22 @@ struct sole_function {
 /// For `width` 3 with RGB parameters, if the model has any that are not fixed; fixed colours give three in any case.
 sole_function sole_text(const language& l, const model_request& wanted, int width);
 
-/// Everything that model_text needs before it: what the text is and its conventions, types, the cosine of two
-/// directions. Several texts may be pasted into one file: where there is a preprocessor the types are read once.
-std::string preamble(const language& l, std::string_view made_by);
+/// Everything that the model_text of these models needs before it: what the text is and its conventions, types, the
+/// cosine of two directions, and twofold_text where a model calls it. Several texts may be pasted into one file: where
+/// there is a preprocessor these are read once.
+std::string preamble(const language& l, std::string_view made_by, std::span<const model_request> models,
+                     const style& how = {});
+
+/// The functions of record_twofold, and their type where the language has none of two numbers.
+std::string twofold_text(const language& l, const style& how = {});
+
+/// The same where the model calls them, otherwise nothing.
+std::string twofold_text_for(const language& l, const model_request& wanted, const style& how = {});
 
 /// The library file of a language: every model of the registry, and the geometry around them.
 std::string library_text(const language& l);
 
-/// The model's function for one number, alone: the text that is compared with the model bit by bit.
+/// The model's function for one number, alone but for what it calls: the text that is compared with the model bit by bit.
 std::string scalar_text(const language& l, const model_request& wanted, const style& how = {});
 
 /// The same for three channels, alone; some of them call the scalar function, which must stand before. Empty where no

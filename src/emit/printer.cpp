@@ -1,14 +1,15 @@
 #include "emit/printer.hpp"
 
+#include "emit/locals.hpp"
 #include "error.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
-#include <map>
 #include <optional>
-#include <set>
 
 namespace fresnel::emit {
 
@@ -26,18 +27,17 @@ std::string indexed(std::string_view name, int i) { return fmt::format("{}[{}]",
 /// Prints the body of one function.
 class body_printer {
 public:
-    body_printer(const language& l, const function& f, const style& how) : l_(l), f_(f), how_(how) {
-        count_uses();
-        name_locals();
-    }
+    body_printer(const language& l, const function& f, const style& how)
+        : l_(l), f_(f), how_(how), locals_(l, f) {}
 
     std::string lines() {
         if (l_.id == "c" || l_.id == "cuda")
             for (const argument& a : f_.arguments)
-                if (!reads(a.name)) text_ += fmt::format("    (void){};\n", argument_name(l_, f_, a.name));
-        for (const std::uint32_t node : order_) {
-            const std::string& remark = at(node).remark;
-            text_ += fmt::format("    {};{}{}\n", declaration(node), remark.empty() ? "" : " // ", remark);
+                if (!locals_.reads(a.name))
+                    text_ += fmt::format("    (void){};\n", argument_name(l_, f_, a.name));
+        for (const std::uint32_t node : locals_.order()) {
+            const function_call* call = f_.graph.call_of(node);
+            text_ += statement(declaration(node), call != nullptr ? call->remark : at(node).remark);
         }
         return text_ + returned();
     }
@@ -45,137 +45,13 @@ public:
 private:
     const expression& at(std::uint32_t node) const { return f_.graph[node]; }
 
-    bool is_mask(std::uint32_t node) const {
-        return at(node).op == operation::less || at(node).op == operation::less_equal;
-    }
-    // Written out wherever it is used, never a variable of its own.
-    bool is_transparent(std::uint32_t node) const {
-        return is_mask(node) || at(node).op == operation::negate;
-    }
-
-    bool reads(std::string_view argument) const {
-        for (std::size_t i = 0; i < f_.graph.size(); ++i) {
-            const expression& x = at(static_cast<std::uint32_t>(i));
-            if (uses_[i] > 0 && x.op == operation::input &&
-                x.name.substr(0, x.name.find_first_of(".[")) == argument)
-                return true;
-        }
-        return false;
-    }
-
-    void count_uses() {
-        uses_.assign(f_.graph.size(), 0);
-        for (const result& r : f_.results)
-            ++uses_[r.node];
-        for (std::size_t i = f_.graph.size(); i-- > 0;) {
-            const auto node = static_cast<std::uint32_t>(i);
-            if (uses_[i] == 0) continue;
-            const int times = is_transparent(node) ? uses_[i] : 1;
-            for (std::size_t k = 0; k < arity(at(node).op); ++k)
-                uses_[at(node).operands[k]] += times;
-        }
-    }
-
-    bool is_only_result(std::uint32_t node) const {
-        return f_.results.size() == 1 && f_.results.front().node == node && uses_[node] == 1;
-    }
-
-    bool is_local(std::uint32_t node) const {
-        const expression& x = at(node);
-        if (uses_[node] == 0 || x.op == operation::input) return false;
-        if (x.op == operation::constant) return x.width == 3;
-        if (is_transparent(node) || is_only_result(node)) return false;
-        return x.named != 0 || uses_[node] > 1;
-    }
-
-    // The locals behind a node that have no place yet, operands first.
-    void place(std::uint32_t root) {
-        std::vector<std::pair<std::uint32_t, std::size_t>> open = {{root, 0}};
-        while (!open.empty()) {
-            auto& [node, next] = open.back();
-            if (next < arity(at(node).op) && !placed_[node]) {
-                open.emplace_back(at(node).operands[next++], 0);
-                continue;
-            }
-            const std::uint32_t done = node;
-            open.pop_back();
-            if (placed_[done]) continue;
-            placed_[done] = true;
-            if (is_local(done)) order_.push_back(done);
-        }
-    }
-
-    void name_locals() {
-        placed_.assign(f_.graph.size(), false);
-        std::vector<std::uint32_t> named;
-        for (std::uint32_t i = 0; i < f_.graph.size(); ++i)
-            if (at(i).named != 0 && is_local(i)) named.push_back(i);
-        std::sort(named.begin(), named.end(), [&](auto a, auto b) { return at(a).named < at(b).named; });
-        for (const std::uint32_t node : named)
-            place(node);
-        for (const result& r : f_.results)
-            place(r.node);
-
-        names_.assign(f_.graph.size(), {});
-        for (std::uint32_t i = 0; i < f_.graph.size(); ++i)
-            if (at(i).op == operation::input) {
-                names_[i] = input_name(at(i).name);
-                taken_.insert(names_[i].substr(0, names_[i].find_first_of(".[")));
-            }
-        for (const std::uint32_t node : order_)
-            if (at(node).named != 0) names_[node] = unique(legal_name(l_, at(node).name));
-        for (const std::uint32_t node : order_)
-            if (at(node).named == 0) names_[node] = unique(found_name(node));
-    }
-
-    // An argument, or a component of one.
-    std::string input_name(std::string_view name) const {
-        const std::size_t end = std::min(name.find_first_of(".["), name.size());
-        return argument_name(l_, f_, name.substr(0, end)) + std::string(name.substr(end));
-    }
-
-    std::string unique(const std::string& name) {
-        std::string tried = name;
-        for (int& i = last_number_[name]; !taken_.insert(tried).second;)
-            tried = fmt::format("{}_{}", name, (i = std::max(i, 1) + 1));
-        return tried;
-    }
-
-    // Base and exponent of a product of one quantity with itself.
-    std::optional<std::pair<std::uint32_t, int>> power_of(std::uint32_t node) const {
-        const expression& x = at(node);
-        if (x.op == operation::multiply) {
-            const auto a = power_of(x.operands[0]), b = power_of(x.operands[1]);
-            if (a && b && a->first == b->first) return std::pair{a->first, a->second + b->second};
-        }
-        if (x.op == operation::input || x.named != 0) return std::pair{node, 1};
-        return std::nullopt;
-    }
-
-    // The quantity that an operation with 1 is of, if it is that and has a name.
-    std::string beside_one(std::uint32_t node, operation op) const {
-        const expression& x = at(node);
-        if (x.op != op) return {};
-        const bool first = f_.graph.is(x.operands[0], 1), second = f_.graph.is(x.operands[1], 1);
-        const std::string& other = first    ? names_[x.operands[1]]
-                                   : second ? names_[x.operands[0]]
-                                            : names_[node];
-        if (other.empty() || other.find_first_of(".[") != std::string::npos) return {};
-        if (op == operation::add) return other + "_plus_1";
-        return first ? "one_minus_" + other : other + "_minus_1";
-    }
-
-    // What a product of one quantity with itself is called, m2 or m5, and a sum with 1; otherwise t.
-    std::string found_name(std::uint32_t node) const {
-        if (at(node).op == operation::constant) return "c";
-        for (const operation op : {operation::add, operation::subtract})
-            if (const std::string name = beside_one(node, op); !name.empty()) return name;
-        const auto power = power_of(node);
-        if (!power || power->second < 2) return "t";
-        std::string base = names_[power->first].substr(0, names_[power->first].find_first_of(".["));
-        if (base == "cos_i") base = "cos";
-        if (std::isdigit(static_cast<unsigned char>(base.back())) != 0) base += "_";
-        return legal_name(l_, fmt::format("{}{}", base, power->second));
+    // Before a step of the model that has a title stands the title, behind a quantity what it is.
+    std::string statement(const std::string& text, const std::string& remark) const {
+        const std::size_t end = remark.find('\n');
+        const std::string step = end == std::string::npos ? "" : remark.substr(0, end);
+        const std::string what = end == std::string::npos ? remark : remark.substr(end + 1);
+        return (step.empty() ? "" : fmt::format("{}    // {}\n", text_.empty() ? "" : "\n", step)) +
+               fmt::format("    {};{}{}\n", text, what.empty() ? "" : " // ", what);
     }
 
     // ---- expressions --------------------------------------------------------------------------------------
@@ -196,20 +72,21 @@ private:
     // A node as an argument of a function whose result has that width.
     std::string splat(std::uint32_t node, int width) {
         const fragment x = use(node);
-        if (width == 1 || at(node).width == 3 || is_mask(node)) return x.text;
+        if (width == 1 || at(node).width == 3 || locals_.is_mask(node)) return x.text;
         const std::string_view type = f_.directions ? l_.vector : l_.triple;
         // FXC's constructors take three numbers, its casts take one
         if (l_.id == "hlsl") return fmt::format("({}){}", type, bracketed(x, fragment::primary));
         return fmt::format("{}({})", type, x.text);
     }
 
-    fragment function_call(std::uint32_t node) {
+    fragment built_in(std::uint32_t node) {
         const expression& x = at(node);
         std::vector<std::string> arguments;
         for (std::size_t k = 0; k < arity(x.op); ++k)
             arguments.push_back(splat(x.operands[k], x.op == operation::dot_product ? 1 : x.width));
         // FXC warns of a base that might be negative; ours are not, and abs costs nothing there
-        if (x.op == operation::power && l_.id == "hlsl") arguments[0] = call("abs", {arguments[0]});
+        if (x.op == operation::power && l_.id == "hlsl" && !f_.graph.is_constant(x.operands[0]))
+            arguments[0] = call("abs", {arguments[0]});
         return {call(std::string(l_.name_of(x.op)), arguments)};
     }
 
@@ -218,7 +95,8 @@ private:
         const expression& x = at(node);
         if (x.op != operation::minimum || !f_.graph.is(x.operands[1], 1)) return std::nullopt;
         const expression& inner = at(x.operands[0]);
-        if (is_local(x.operands[0]) || inner.op != operation::maximum || !f_.graph.is(inner.operands[1], 0))
+        if (locals_.is_local(x.operands[0]) || inner.op != operation::maximum ||
+            !f_.graph.is(inner.operands[1], 0))
             return std::nullopt;
         const std::string value = use(inner.operands[0]).text;
         if (l_.has_saturate) return fragment{call("saturate", {value})};
@@ -295,59 +173,85 @@ private:
             return choice(node);
         default:
             if (const auto short_form = limited(node)) return *short_form;
-            return function_call(node);
+            return built_in(node);
         }
     }
 
     // A node where it is used: its name, or what it is made of. What is written out is short, since whatever the model
     // names or uses twice has a name.
     fragment use(std::uint32_t node) {
-        if (!names_[node].empty()) return {names_[node]};
+        if (!locals_.name(node).empty()) return {locals_.name(node)};
         return written_out(node);
     }
 
     // ---- statements ---------------------------------------------------------------------------------------
 
-    std::string type(std::uint32_t node) const {
-        return std::string(at(node).width == 1 ? l_.scalar : f_.directions ? l_.vector : l_.triple);
-    }
+    std::string type(std::uint32_t node) const { return std::string(l_.type(at(node).width, f_.directions)); }
 
     std::string declaration(std::uint32_t node) {
-        const std::string value = written_out(node).text;
-        if (l_.typed_names) return fmt::format("let {} = {}", names_[node], value);
+        const function_call* call = f_.graph.call_of(node);
+        const std::string name = call != nullptr ? locals_.pair_name(node) : locals_.name(node);
+        const std::string value = call != nullptr ? call_text(*call) : written_out(node).text;
+        if (l_.typed_names) return fmt::format("let {} = {}", name, value);
         return fmt::format("{}{}{} {} = {}", how_.precise ? "precise " : "", l_.id == "c" ? "const " : "",
-                           type(node), names_[node], value);
+                           call != nullptr ? l_.pair : type(node), name, value);
+    }
+
+    // Two nodes as one argument: the variable or the argument that they are the components of, if there is one.
+    std::string pair_text(std::uint32_t x, std::uint32_t y) {
+        const std::string first = use(x).text, second = use(y).text;
+        const std::string whole = first.substr(0, first.size() - 2);
+        const std::size_t name = whole.front() == '-' && l_.pair_arithmetic() ? 1 : 0;
+        const bool is_name =
+            std::all_of(whole.begin() + static_cast<std::ptrdiff_t>(name), whole.end(),
+                        [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
+        if (is_name && first == whole + ".x" && second == whole + ".y") return whole;
+        return pair_of(l_, first, second);
+    }
+
+    std::string call_text(const function_call& x) {
+        std::vector<std::string> arguments;
+        for (const std::vector<std::uint32_t>& argument : x.arguments)
+            arguments.push_back(argument.size() == 1 ? use(argument[0]).text
+                                                     : pair_text(argument[0], argument[1]));
+        return call(legal_name(l_, x.function), arguments);
+    }
+
+    std::string returned_pair() {
+        const function_call* call = locals_.returned_call();
+        const std::string value =
+            call != nullptr ? call_text(*call) : pair_text(f_.results[0].node, f_.results[1].node);
+        if (!how_.precise) return fmt::format("    return {};\n", value);
+        return fmt::format("    precise {0} {1} = {2};\n    return {1};\n", l_.pair, locals_.unique("result"),
+                           value);
     }
 
     std::string returned() {
+        if (f_.results.size() == 2) return returned_pair();
         std::vector<std::string> values;
         for (const result& r : f_.results)
             values.push_back(use(r.node).text);
         if (values.size() == 1) {
             const std::uint32_t node = f_.results.front().node;
             values[0] = splat(node, f_.width());
-            if (!how_.precise || !names_[node].empty()) return fmt::format("    return {};\n", values[0]);
-            return fmt::format("    precise {0} {1} = {2};\n    return {1};\n", type(node), unique("result"),
-                               values[0]);
+            if (!how_.precise || !locals_.name(node).empty())
+                return fmt::format("    return {};\n", values[0]);
+            return fmt::format("    precise {0} {1} = {2};\n    return {1};\n", type(node),
+                               locals_.unique("result"), values[0]);
         }
         const std::string list = fmt::format("{}", fmt::join(values, ", "));
         if (f_.components && l_.id != "c")
             return fmt::format("    return {};\n", triple_of(l_, values, f_.directions));
         const std::string_view name = f_.components ? l_.triple : "fresnel_boundary";
         if (l_.structs == struct_style::constructor) return fmt::format("    return {}({});\n", name, list);
-        const std::string b = unique("result");
+        const std::string b = locals_.unique("result");
         return fmt::format("    {0} {1} = {{{2}}};\n    return {1};\n", name, b, list);
     }
 
     const language& l_;
     const function& f_;
     const style& how_;
-    std::vector<int> uses_;
-    std::vector<bool> placed_;
-    std::vector<std::uint32_t> order_; ///< local variables
-    std::vector<std::string> names_;   ///< of inputs and local variables, otherwise empty
-    std::set<std::string> taken_;
-    std::map<std::string, int> last_number_; ///< given to a name that was taken
+    locals locals_;
     std::string text_;
 };
 
@@ -361,6 +265,14 @@ bool has_triple_mask(const function& f) {
     return false;
 }
 
+// Whether a function of two numbers is called for three values at once.
+bool calls_for_triples(const function& f) {
+    const std::vector<bool> needed = needed_nodes(f);
+    for (std::uint32_t i = 0; i < f.graph.size(); ++i)
+        if (needed[i] && f.graph[i].width == 3 && f.graph[i].call != 0) return true;
+    return false;
+}
+
 bool has_triple(const function& f) {
     const std::vector<bool> needed = needed_nodes(f);
     for (std::uint32_t i = 0; i < f.graph.size(); ++i)
@@ -368,38 +280,9 @@ bool has_triple(const function& f) {
     return false;
 }
 
-// Where a line that is too long is broken: behind a comma or a sign, as few brackets deep as can be, as late as fits.
-std::size_t line_break(std::string_view line, std::size_t from, std::size_t longest) {
-    std::size_t best = std::string_view::npos;
-    int depth = 0, best_depth = 0;
-    for (std::size_t i = 0; i + 2 < std::min(line.size(), longest); ++i) {
-        if (line[i] == '(' || line[i] == '{') ++depth;
-        if (line[i] == ')' || line[i] == '}') --depth;
-        if (i < from || line[i + 1] != ' ') continue;
-        const bool sign =
-            line[i - 1] == ' ' && std::string_view("+-?:=").find(line[i]) != std::string_view::npos;
-        if (line[i] != ',' && !sign) continue;
-        if (best == std::string_view::npos || depth <= best_depth) best = i + 2, best_depth = depth;
-    }
-    return best;
-}
-
-std::string wrapped(std::string line) {
-    constexpr std::size_t longest = 110;
-    const std::size_t indent = line.find_first_not_of(' ');
-    std::string text;
-    while (line.size() > longest) {
-        const std::size_t at = line_break(line, indent + 24, longest);
-        if (at == std::string::npos) break;
-        text += line.substr(0, at - 1) + "\n";
-        line = std::string(indent + 8, ' ') + line.substr(at);
-    }
-    return text + line;
-}
-
 std::string declared(const language& l, const function& f, const argument& a) {
     const std::string own = argument_name(l, f, a.name);
-    const std::string_view type = a.width == 1 ? l.scalar : f.directions ? l.vector : l.triple;
+    const std::string_view type = l.type(a.width, f.directions);
     return l.typed_names ? fmt::format("{}: {}", own, type) : fmt::format("{} {}", type, own);
 }
 
@@ -417,6 +300,11 @@ std::string literal(const language& l, float value) {
 
 std::string component(const language& l, std::string_view name, int i) {
     return l.swizzle == "[]" ? indexed(name, i) : dotted(name, i);
+}
+
+std::string pair_of(const language& l, const std::string& x, const std::string& y) {
+    if (l.id == "cuda") return call("make_float2", {x, y});
+    return call(std::string(l.id == "c" || l.id == "osl" ? "fresnel_make_float2" : l.pair), {x, y});
 }
 
 std::string triple_of(const language& l, const std::vector<std::string>& three, bool direction) {
@@ -442,40 +330,20 @@ std::string argument_name(const language& l, const function& f, std::string_view
     return own == legal_name(l, f.name) ? own + "_" : own;
 }
 
-std::string comment_block(const std::vector<std::string>& lines) {
-    std::string text;
-    for (const std::string& line : lines)
-        text += line.empty() ? "//\n" : fmt::format("// {}\n", line);
-    return text;
-}
-
-std::string wrapped_lines(const std::string& text) {
-    std::string result;
-    for (std::size_t from = 0; from < text.size();) {
-        const std::size_t end = std::min(text.find('\n', from), text.size());
-        const std::string line = text.substr(from, end - from);
-        const bool whole = line.starts_with("#") || line.find("//") != std::string::npos;
-        result += (whole ? line : wrapped(line)) + "\n";
-        from = end + 1;
-    }
-    return result;
-}
-
 std::string signature(const language& l, const function& f, const std::string& name) {
     std::vector<std::string> arguments;
     for (const argument& a : f.arguments)
         arguments.push_back(declared(l, f, a));
-    const std::string_view type = f.results.size() == 4 ? "fresnel_boundary"
-                                  : f.width() == 1      ? l.scalar
-                                  : f.directions        ? l.vector
-                                                        : l.triple;
+    const std::string_view type =
+        f.results.size() == 4 ? "fresnel_boundary" : l.type(f.width(), f.directions);
     const std::string list = fmt::format("{}", fmt::join(arguments, ", "));
     if (l.typed_names) return fmt::format("fn {}({}) -> {}", name, list, type);
     return fmt::format("{}{}{} {}({})", l.qualifier, l.qualifier.empty() ? "" : " ", type, name, list);
 }
 
 std::string print(const language& l, const function& f, const style& how) {
-    const bool split = has_triple(f) && (!l.arithmetic || (has_triple_mask(f) && l.mask.empty()));
+    const bool split =
+        has_triple(f) && (!l.arithmetic || calls_for_triples(f) || (has_triple_mask(f) && l.mask.empty()));
     if (split) return print(l, scalarized(f, l.swizzle == "[]" ? indexed : dotted), how);
     function renamed = f;
     renamed.name = legal_name(l, f.name);

@@ -2,6 +2,7 @@
 
 #include "emit/function.hpp"
 #include "emit/language.hpp"
+#include "emit/layout.hpp"
 
 #include <string>
 
@@ -36,13 +37,8 @@ std::string argument_name(const language& l, const function& f, std::string_view
 /// How component i of a triple is written.
 std::string component(const language& l, std::string_view name, int i);
 
-/// Three texts as a triple.
+/// Two texts as a pair, and three as a triple.
+std::string pair_of(const language& l, const std::string& x, const std::string& y);
 std::string triple_of(const language& l, const std::vector<std::string>& three, bool direction = false);
-
-/// The same text with long lines broken, but for directives and lines with a comment.
-std::string wrapped_lines(const std::string& text);
-
-/// Lines as comments.
-std::string comment_block(const std::vector<std::string>& lines);
 
 } // namespace fresnel::emit

@@ -124,7 +124,10 @@ std::size_t default_rows(const verify_case& c) {
 // ---- text -------------------------------------------------------------------------------------------------
 
 std::string verify_text(const language& l, std::span<const verify_case> cases, const style& how) {
-    std::string text = preamble(l, "fresnel shader --verify");
+    std::vector<model_request> models;
+    for (const verify_case& c : cases)
+        if (c.kind != overload::geometry) models.push_back({c.name, c.fixed});
+    std::string text = preamble(l, "fresnel shader --verify", models, how);
     std::set<std::string> printed = {"incidence_cosine"}; // which the preamble has
     for (const verify_case& c : cases) {
         const std::string own = c.kind == overload::fixed ? c.id : c.name;

@@ -151,8 +151,11 @@ constexpr std::string_view gdshader_words = " E PI TAU TIME INF NAN global group
                                             "vertex fragment light start process sky fog ";
 
 // What the emitted text declares around a function and uses in it.
-constexpr std::array ours = {"incidence_cosine", "normal",      "direction",   "fresnel_boundary",
-                             "fresnel_float3",   "fresnel_dot", "make_float3", "result"};
+constexpr std::array ours = {
+    "incidence_cosine",   "normal",         "direction", "fresnel_boundary", "fresnel_float3",
+    "fresnel_dot",        "make_float3",    "result",    "fresnel_float2",   "fresnel_make_float2",
+    "make_float2",        "two_sum",        "halves",    "two_product",      "twofold_sum",
+    "twofold_difference", "twofold_product"};
 
 bool holds(std::string_view words, std::string_view word) {
     return words.find(fmt::format(" {} ", word)) != std::string_view::npos;

@@ -17,8 +17,12 @@
 //
 // A node is one number, or three that are computed alike: an RGB value, or a vector where `dot` makes a number of
 // two. An operation on one and three gives three.
+//
+// What `result_of` says is kept beside the nodes: the graph holds every operation, whoever counts or computes it sees
+// no call, and whoever prints it may write a node as a result of the call instead of its operation.
 
 #include <fresnel/number.hpp>
+#include <fresnel/twofold.hpp>
 
 #include <algorithm>
 #include <array>
@@ -66,6 +70,16 @@ struct expression {
     std::string name{};                      ///< of an input, or what `let` called it; otherwise empty
     std::string remark{};                    ///< what `let` said of it
     std::uint32_t named = 0;                 ///< the how manieth name of its graph that is; 0 is none
+    std::uint32_t call = 0; ///< the how manieth call of its graph it is a result of; 0 is none
+};
+
+/// A function that printed text calls: what it is given, and the two nodes that it makes.
+struct function_call {
+    std::string function;
+    std::vector<std::vector<std::uint32_t>> arguments; ///< one node each, or the two of a twofold
+    std::array<std::uint32_t, 2> results{};
+    std::string name{}, remark{}; ///< of the pair, by `let`
+    std::uint32_t named = 0;
 };
 
 /// The number of operands an operation takes.
@@ -207,6 +221,42 @@ public:
         nodes_[to].named = nodes_[from].named;
     }
 
+    /// Notes that two nodes are what a function makes of its arguments. Inputs, constants and what was there before an
+    /// argument stay what they are; a later, outer call takes the place of an earlier one.
+    void note(function_call call) {
+        if (call.function == own_) return;
+        std::uint32_t last = 0;
+        for (const auto& argument : call.arguments)
+            for (const std::uint32_t node : argument)
+                last = std::max(last, node);
+        for (const std::uint32_t node : call.results) {
+            expression& x = nodes_[node];
+            if (node <= last || x.op == operation::input || x.op == operation::constant) continue;
+            x.call = static_cast<std::uint32_t>(calls_.size() + 1);
+            x.name.clear(), x.remark.clear(), x.named = 0;
+        }
+        calls_.push_back(std::move(call));
+    }
+
+    /// The graph is the body of that function, which does not call itself.
+    void set_own(std::string_view function) { own_ = function; }
+
+    /// Names the pair that a node is one of; where no call made it, the node alone.
+    void name_pair(std::uint32_t node, std::string_view given, std::string_view remark) {
+        if (nodes_[node].call == 0) return name(node, given, remark);
+        function_call& call = calls_[nodes_[node].call - 1];
+        if (call.named != 0) return;
+        call.name = given;
+        call.remark = remark;
+        call.named = ++names_;
+    }
+
+    /// The call that a node is a result of, if it is one.
+    const function_call* call_of(std::uint32_t node) const {
+        return nodes_[node].call == 0 ? nullptr : &calls_[nodes_[node].call - 1];
+    }
+    const std::vector<function_call>& calls() const { return calls_; }
+
     const expression& operator[](std::uint32_t node) const { return nodes_[node]; }
     std::size_t size() const { return nodes_.size(); }
     bool is_constant(std::uint32_t node) const { return nodes_[node].op == operation::constant; }
@@ -220,7 +270,8 @@ private:
     static constexpr std::uint32_t none = 0xffffffff;
 
     static bool can_be_named(const expression& x) {
-        return x.op != operation::input && (x.op != operation::constant || x.width == 3) && x.name.empty();
+        return x.op != operation::input && (x.op != operation::constant || x.width == 3) && x.name.empty() &&
+               x.call == 0;
     }
 
     struct key_hash {
@@ -288,6 +339,8 @@ private:
     std::vector<expression> nodes_;
     std::unordered_map<std::array<std::uint32_t, 8>, std::uint32_t, key_hash> index_;
     std::uint32_t names_ = 0;
+    std::vector<function_call> calls_;
+    std::string own_;
 };
 
 /// Makes a graph the one that this thread's symbols are recorded in, for the lifetime of this object.
@@ -342,6 +395,20 @@ inline sym select(sym_mask m, sym yes, sym no) {
 inline sym let(const char* name, sym x, const char* remark = "") {
     recording::graph().name(x.node(), name, remark);
     return x;
+}
+
+inline twofold<sym> let(const char* name, twofold<sym> x, const char* remark = "") {
+    recording::graph().name_pair(x.hi.node(), name, remark);
+    return x;
+}
+
+inline std::vector<std::uint32_t> nodes_of(sym x) { return {x.node()}; }
+inline std::vector<std::uint32_t> nodes_of(twofold<sym> x) { return {x.hi.node(), x.lo.node()}; }
+
+template <class... Arguments>
+twofold<sym> result_of(const char* function, twofold<sym> value, const Arguments&... arguments) {
+    recording::graph().note({function, {nodes_of(arguments)...}, {value.hi.node(), value.lo.node()}});
+    return value;
 }
 
 } // namespace fresnel

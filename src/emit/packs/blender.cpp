@@ -88,10 +88,11 @@ std::string file_text(const language& l, const model_row<double>& row) {
     const std::string head = fmt::format(
         "fresnel {}: {} as an OSL shader for Cycles. Made by `fresnel shader --write`; do not edit.",
         FRESNEL_VERSION, row.name);
-    std::string text = comment_block({head}) + "\n" + print(l, record_geometry().front()) + "\n" +
-                       scalar_text(l, request) + "\n";
+    std::string text = comment_block({head}) + "\n" + print(l, record_geometry().front()) + "\n";
+    if (const std::string twofold = twofold_text_for(l, request); !twofold.empty()) text += twofold + "\n";
+    text += scalar_text(l, request) + "\n";
     if (has_channels(row)) text += channels_text(l, request) + "\n";
-    return text + shader_text(l, row);
+    return text + wrapped_lines(shader_text(l, row));
 }
 
 std::string readme() {

@@ -139,7 +139,9 @@ void light() {
     float a2 = pow(roughness, 4.0);
     float d = n_h * n_h * (a2 - 1.0) + 1.0;
     float distribution = a2 / (PI * d * d);
-    float shadowing = 0.5 / max(n_l * sqrt(n_v * n_v * (1.0 - a2) + a2) + n_v * sqrt(n_l * n_l * (1.0 - a2) + a2), 1e-5);
+    float masked = n_l * sqrt(n_v * n_v * (1.0 - a2) + a2);
+    float shadowed = n_v * sqrt(n_l * n_l * (1.0 - a2) + a2);
+    float shadowing = 0.5 / max(masked + shadowed, 1e-5);
     vec3 F = f82_rgb_dir(f0, f82_color, half_vector, VIEW);
     SPECULAR_LIGHT += F * (distribution * shadowing * n_l) * ATTENUATION * LIGHT_COLOR;
 }

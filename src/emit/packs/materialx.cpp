@@ -235,16 +235,20 @@ void add_model_sources(const target& t, const model_row<double>& row, std::vecto
     const std::vector<node> nodes = nodes_of(row);
     const std::string name = prefixed(row.name);
     const model_request request{std::string(row.name), {}, name};
+    const auto include = [&](std::string_view file) {
+        return fmt::format("#include \"lib/{}.{}\"\n\n", file, t.l.extension);
+    };
+    const std::string twofold = twofold_text_for(t.l, request).empty() ? "" : include("fresnel_twofold");
     std::string text = scalar_text(t.l, request);
     if (const std::string channels = channels_text(t.l, request); !channels.empty()) text += "\n" + channels;
     for (const node& n : nodes)
         if (n.outputs.size() == 1) text += "\n" + entry_of(t, n);
-    files.push_back({source_path(t, "mx_" + name), guarded(name, text)});
+    files.push_back({source_path(t, "mx_" + name), twofold + guarded(name, text)});
     for (const node& n : nodes)
         if (n.outputs.size() > 1)
-            files.push_back({source_path(t, n.file),
-                             fmt::format("#include \"lib/fresnel_boundary.{}\"\n\n", t.l.extension) +
-                                 boundary_text(t.l, request) + "\n" + entry_of(t, n)});
+            files.push_back({source_path(t, n.file), include("fresnel_boundary") + twofold +
+                                                         boundary_text(t.l, request) + "\n" +
+                                                         entry_of(t, n)});
 }
 
 std::string helper_source(const target& t, function f) {
@@ -321,6 +325,7 @@ std::vector<pack_file> materialx_pack() {
         files.push_back(
             {fmt::format("{0}{1}/fresnel_{1}_impl.mtlx", root, t.id), implementations_document(t, nodes)});
         files.push_back({source_path(t, "lib/fresnel_boundary"), boundary_type(t.l)});
+        files.push_back({source_path(t, "lib/fresnel_twofold"), twofold_text(t.l)});
         files.push_back({source_path(t, "mx_fresnel_cosine"), cosine_source(t)});
         for (const function& f : materialx_functions())
             files.push_back({source_path(t, helper_node(f).file), helper_source(t, f)});

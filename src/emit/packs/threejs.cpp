@@ -75,7 +75,7 @@ std::string glsl_module() {
         "// What every function of a model needs.\nconst types = " +
         quoted("struct fresnel_boundary {\n    float R_s, R_p; // reflected, polarised across and along the "
                "plane of incidence\n    float T_s, T_p; // transmitted\n};\n\n" +
-               print(l, record_geometry().front())) +
+               print(l, record_geometry().front()) + "\n" + twofold_text(l)) +
         ";\n\n";
     text += "/// The functions of each model. GLSL has overloads: a parameter is a float or a vec3, two "
             "directions may stand in\n/// place of cos_i.\nexport const functions = {\n";
@@ -102,13 +102,19 @@ std::string name_before(const std::string& text, std::size_t bracket) {
     return text.substr(begin, bracket - begin);
 }
 
+// Where a piece ends: at the first empty line that is not within braces.
+std::size_t end_of_piece(const std::string& all, std::size_t at) {
+    const std::size_t end = all.find("\n\n", at), open = all.find(" {\n", at);
+    return std::min(open < end ? all.find("\n\n", all.find("\n}", open)) : end, all.size());
+}
+
 // The functions of a library: each is one block of lines that ends with a closing brace. Those that return a struct are
 // left out, since a node of three.js has no such type.
 std::vector<piece> pieces_of(const language& l) {
     const std::string all = library_text(l);
     std::vector<piece> found;
     for (std::size_t at = 0; at < all.size();) {
-        const std::size_t end = std::min(all.find("\n\n", at), all.size());
+        const std::size_t end = end_of_piece(all, at);
         const std::string block = all.substr(at, end - at) + "\n";
         at = end + 2;
         std::size_t line = 0; // of the head, behind the comment

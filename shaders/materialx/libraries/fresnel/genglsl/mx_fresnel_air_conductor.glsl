@@ -9,33 +9,33 @@
 // n       index relative to the medium in front, [0.001, 1000]
 // k       its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0638, certified: n in [0.1, 4], k in [1, 8]
+// error   at most 0.0638, certified for n in [0.1, 4], k in [1, 8]
 // cost    26 operations
 // source  Pharr and Humphreys, Physically Based Rendering; Lagarde 2013
 float fresnel_air_conductor(float n, float k, float cos_i) {
     float k2 = k * k;
-    float t = n - cos_i;
-    float t_2 = n + cos_i;
-    float R_s = (t * t + k2) / (t_2 * t_2 + k2);
-    float t_3 = n * cos_i;
-    float t_3_minus_1 = t_3 - 1.0;
-    float t_4 = k2 * (cos_i * cos_i);
-    float t_3_plus_1 = t_3 + 1.0;
-    float R_p = (t_3_minus_1 * t_3_minus_1 + t_4) / (t_3_plus_1 * t_3_plus_1 + t_4);
+    float n_minus_c = n - cos_i;
+    float n_plus_c = n + cos_i;
+    float R_s = (n_minus_c * n_minus_c + k2) / (n_plus_c * n_plus_c + k2);
+    float nc = n * cos_i;
+    float kc2 = k2 * (cos_i * cos_i);
+    float nc_minus_1 = nc - 1.0;
+    float nc_plus_1 = nc + 1.0;
+    float R_p = (nc_minus_1 * nc_minus_1 + kc2) / (nc_plus_1 * nc_plus_1 + kc2);
     return (R_s + R_p) / 2.0;
 }
 
 // The same for three channels, which share the angle.
 vec3 fresnel_air_conductor(vec3 n, vec3 k, float cos_i) {
     vec3 k2 = k * k;
-    vec3 t = n - cos_i;
-    vec3 t_2 = n + cos_i;
-    vec3 R_s = (t * t + k2) / (t_2 * t_2 + k2);
-    vec3 t_3 = n * cos_i;
-    vec3 t_3_minus_1 = t_3 - 1.0;
-    vec3 t_4 = k2 * (cos_i * cos_i);
-    vec3 t_3_plus_1 = t_3 + 1.0;
-    vec3 R_p = (t_3_minus_1 * t_3_minus_1 + t_4) / (t_3_plus_1 * t_3_plus_1 + t_4);
+    vec3 n_minus_c = n - cos_i;
+    vec3 n_plus_c = n + cos_i;
+    vec3 R_s = (n_minus_c * n_minus_c + k2) / (n_plus_c * n_plus_c + k2);
+    vec3 nc = n * cos_i;
+    vec3 kc2 = k2 * (cos_i * cos_i);
+    vec3 nc_minus_1 = nc - 1.0;
+    vec3 nc_plus_1 = nc + 1.0;
+    vec3 R_p = (nc_minus_1 * nc_minus_1 + kc2) / (nc_plus_1 * nc_plus_1 + kc2);
     return (R_s + R_p) / 2.0;
 }
 

@@ -3,7 +3,8 @@
 
 // Exact reflectance of an absorbing medium in the fewest operations.
 //
-//   R_s = (t1 - t2) / (t1 + t2), R_p = R_s (t3 - t4) / (t3 + t4)
+//   R_s = (t1 - t2) / (t1 + t2), R_p = R_s (t3 - t4) / (t3 + t4), t1 = A + c^2, t2 = 2 a c,
+//   t3 = A c^2 + s^4, t4 = t2 s^2, A = a^2 + b^2, (a + i b)^2 = (n + i k)^2 - s^2
 //
 // n_i     index in front of the surface, [0.01, 100]
 // n_t     index behind it, [0.001, 1000]

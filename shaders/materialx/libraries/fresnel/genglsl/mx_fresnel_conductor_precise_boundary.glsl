@@ -1,127 +1,59 @@
 #include "lib/fresnel_boundary.glsl"
 
+#include "lib/fresnel_twofold.glsl"
+
 // Reflectances and transmittances of both polarisations.
 fresnel_boundary fresnel_conductor_precise_boundary(float n_i, float n_t, float k_t, float cos_i) {
-    float n_t2 = n_t * n_t;
-    float k_t2 = k_t * k_t;
-    float t = n_t2 + (-k_t2);
-    float t_2 = t - n_t2;
-    float t_3 = 4097.0 * n_t;
-    float t_4 = t_3 - (t_3 - n_t);
-    float t_5 = n_t - t_4;
-    float t_6 = t_4 * t_5;
-    float t_7 = t_4 * t_4 - n_t2 + t_6 + t_6 + t_5 * t_5;
-    float t_8 = 4097.0 * k_t;
-    float t_9 = t_8 - (t_8 - k_t);
-    float t_10 = k_t - t_9;
-    float t_11 = t_9 * t_10;
-    float t_12 = t_9 * t_9 - k_t2 + t_11 + t_11 + t_10 * t_10;
-    float t_13 = t_7 + (-t_12);
-    float t_14 = n_t2 - (t - t_2) + (-k_t2 - t_2) + t_13;
-    float t_15 = t + t_14;
-    float t_16 = t_15 - t;
-    float t_17 = t_13 - t_7;
-    float t_18 = t - (t_15 - t_16) + (t_14 - t_16) + (t_7 - (t_13 - t_17) + (-t_12 - t_17));
-    float t_19 = t_15 + t_18;
-    float n_i2 = n_i * n_i;
-    float t_20 = t_19 + (-n_i2);
-    float t_21 = t_20 - t_19;
-    float t_22 = t_19 - t_15;
-    float t_23 = t_15 - (t_19 - t_22) + (t_18 - t_22);
-    float t_24 = 4097.0 * n_i;
-    float t_25 = t_24 - (t_24 - n_i);
-    float t_26 = n_i - t_25;
-    float t_27 = t_25 * t_26;
-    float t_28 = t_25 * t_25 - n_i2 + t_27 + t_27 + t_26 * t_26;
-    float t_29 = t_23 + (-t_28);
-    float t_30 = t_19 - (t_20 - t_21) + (-n_i2 - t_21) + t_29;
-    float t_31 = t_20 + t_30;
-    float t_32 = t_31 - t_20;
-    float t_33 = t_29 - t_23;
-    float t_34 = t_20 - (t_31 - t_32) + (t_30 - t_32) + (t_23 - (t_29 - t_33) + (-t_28 - t_33));
-    float t_35 = t_31 + t_34;
-    float cos2 = cos_i * cos_i;
-    float t_36 = n_i2 * cos2;
-    float t_37 = 4097.0 * n_i2;
-    float t_38 = t_37 - (t_37 - n_i2);
-    float t_39 = 4097.0 * cos2;
-    float t_40 = t_39 - (t_39 - cos2);
-    float t_41 = cos2 - t_40;
-    float t_42 = n_i2 - t_38;
-    float t_43 = 4097.0 * cos_i;
-    float t_44 = t_43 - (t_43 - cos_i);
-    float t_45 = cos_i - t_44;
-    float t_46 = t_44 * t_45;
-    float t_47 = t_44 * t_44 - cos2 + t_46 + t_46 + t_45 * t_45;
-    float t_48 = t_38 * t_40 - t_36 + t_38 * t_41 + t_42 * t_40 + t_42 * t_41 + (n_i2 * t_47 + t_28 * cos2);
-    float t_49 = t_36 + t_48;
-    float t_50 = t_35 + t_49;
-    float t_51 = t_50 - t_35;
-    float t_52 = t_35 - t_31;
-    float t_53 = t_31 - (t_35 - t_52) + (t_34 - t_52);
-    float t_54 = t_49 - t_36;
-    float t_55 = t_36 - (t_49 - t_54) + (t_48 - t_54);
-    float t_56 = t_53 + t_55;
-    float t_57 = t_35 - (t_50 - t_51) + (t_49 - t_51) + t_56;
-    float t_58 = t_50 + t_57;
-    float t_59 = t_58 - t_50;
-    float t_60 = t_56 - t_53;
-    float t_61 = t_58 + (t_50 - (t_58 - t_59) + (t_57 - t_59) + (t_53 - (t_56 - t_60) + (t_55 - t_60)));
-    float t_62 = n_t * k_t;
-    float t_63 = abs(t_61);
-    float t_64 = sqrt((max(sqrt(t_61 * t_61 + 4.0 * (t_62 * t_62)), t_63) + t_63) / 2.0);
-    float t_65 = t_62 / (t_64 > 0.0 ? t_64 : 1.0);
-    float t_66 = t_61 < 0.0 ? t_65 : t_64;
-    float t_67 = n_i * cos_i;
-    float t_68 = t_66 - t_67;
-    float t_69 = t_61 < 0.0 ? t_64 : t_65;
-    float t_70 = t_69 * t_69;
-    float t_71 = t_66 + t_67;
-    float t_72 = max(2.0 * abs(t_68), t_69) < t_67 ? (t_35 + t_70) / t_71 : t_68;
-    float t_73 = t_72 * t_72 + t_70;
-    float t_74 = t_71 * t_71 + t_70;
-    float t_75 = t_74 <= 0.0 ? 1.0 : t_74;
-    float t_76 = t_73 / t_75;
-    float t_77 = t_66 * cos_i;
-    float t_78 = n_i * ((1.0 - cos_i) * (1.0 + cos_i));
-    float t_79 = t_77 - t_78;
-    float t_80 = n_t2 + n_i2;
-    float t_81 = t_80 - n_t2;
-    float t_82 = t_7 + t_28;
-    float t_83 = n_t2 - (t_80 - t_81) + (n_i2 - t_81) + t_82;
-    float t_84 = t_80 + t_83;
-    float t_85 = t_84 - t_80;
-    float t_86 = t_82 - t_7;
-    float t_87 = t_80 - (t_84 - t_85) + (t_83 - t_85) + (t_7 - (t_82 - t_86) + (t_28 - t_86));
-    float t_88 = t_84 + t_87;
-    float t_89 = cos2 * t_88;
-    float t_90 = 4097.0 * t_88;
-    float t_91 = t_90 - (t_90 - t_88);
-    float t_92 = t_88 - t_91;
-    float t_93 = t_88 - t_84;
-    float t_94 = t_40 * t_91 - t_89 + t_40 * t_92 + t_41 * t_91 + t_41 * t_92 +
-            (cos2 * (t_84 - (t_88 - t_93) + (t_87 - t_93)) + t_47 * t_88);
-    float t_95 = t_89 + t_94;
-    float t_96 = t_95 + (-n_i2);
-    float t_97 = t_96 - t_95;
-    float t_98 = t_95 - t_89;
-    float t_99 = t_89 - (t_95 - t_98) + (t_94 - t_98);
-    float t_100 = t_99 + (-t_28);
-    float t_101 = t_95 - (t_96 - t_97) + (-n_i2 - t_97) + t_100;
-    float t_102 = t_96 + t_101;
-    float t_103 = t_102 - t_96;
-    float t_104 = t_100 - t_99;
-    float t_105 = t_77 + t_78;
-    float t_106 = t_105 <= 0.0 ? 1.0 : t_105;
-    float t_107 = max(2.0 * abs(t_79) - t_78, 2.0 * t_69 - n_i) < 0.0 ?
-            (t_102 + (t_96 - (t_102 - t_103) + (t_101 - t_103) +
-            (t_99 - (t_100 - t_104) + (-t_28 - t_104))) + cos2 * (t_70 - k_t2)) / t_106 : t_79;
-    float t_108 = t_69 * cos_i;
-    float t_109 = t_108 * t_108;
-    float t_110 = t_106 * t_106 + t_109;
-    float t_111 = t_73 <= 0.0 ? 1.0 : 4.0 * (t_66 * t_67) / t_75;
-    return fresnel_boundary(min(t_76, 1.0), min(t_76 * ((t_107 * t_107 + t_109) / t_110), 1.0),
-            min(t_111, 1.0), min(t_111 + t_76 * (4.0 * (t_77 * t_78) / t_110), 1.0));
+    float s2 = (1.0 - cos_i) * (1.0 + cos_i);
+
+    // what cancels, in twice the digits
+    vec2 n2 = two_product(n_t, n_t);
+    vec2 k2 = two_product(k_t, k_t);
+    vec2 i2 = two_product(n_i, n_i);
+    vec2 c2 = two_product(cos_i, cos_i);
+    vec2 m2 = twofold_difference(n2, k2); // Re m^2, m = n_t + i k_t
+    vec2 E = twofold_difference(m2, i2);
+    vec2 p2 = twofold_product(i2, c2); // (n_i cos_i)^2
+    vec2 q2 = twofold_sum(E, p2); // Re q^2, q^2 = m^2 - (n_i sin_i)^2
+    vec2 sum2 = twofold_sum(n2, i2);
+    vec2 product = twofold_product(c2, sum2);
+    vec2 N = twofold_difference(product, i2); // 0 at Brewster's angle where k_t = 0
+
+    // q = a + i b, which is m cos_t; lengths in units of 1 / n_i
+    float c = n_i * cos_i;
+    float nk = n_t * k_t; // Im q^2 / 2
+    float size = abs(q2.x);
+    float A = max(sqrt(q2.x * q2.x + 4.0 * (nk * nk)), size); // |q|^2
+    float larger = sqrt((A + size) / 2.0); // of |Re q| and |Im q|
+    float smaller = nk / (larger > 0.0 ? larger : 1.0);
+    float a = q2.x < 0.0 ? smaller : larger; // Re q
+    float b = q2.x < 0.0 ? larger : smaller; // Im q
+    float b2 = b * b;
+
+    // s-polarised; d is a - c, exact near an index match as well
+    float a_minus_c = a - c;
+    float a_plus_c = a + c;
+    float d = max(2.0 * abs(a_minus_c), b) < c ? (E.x + b2) / a_plus_c : a_minus_c;
+    float D_s = a_plus_c * a_plus_c + b2;
+    float D = D_s <= 0.0 ? 1.0 : D_s; // 0 only for equal media at cos_i = 0
+    float N_s = d * d + b2;
+    float R_s = N_s / D;
+    float T_s = N_s <= 0.0 ? 1.0 : 4.0 * (a * c) / D;
+
+    // p-polarised; nu is a cos_i - n_i sin_i^2, exact near Brewster's angle as well
+    float is2 = n_i * s2;
+    float ac = a * cos_i;
+    float bc = b * cos_i;
+    float bc2 = bc * bc;
+    float difference = ac - is2;
+    float total = ac + is2;
+    float sum = total <= 0.0 ? 1.0 : total;
+    float exact = (N.x + c2.x * (b2 - k2.x)) / sum;
+    float nu = max(2.0 * abs(difference) - is2, 2.0 * b - n_i) < 0.0 ? exact : difference;
+    float P = sum * sum + bc2;
+    float R_p = R_s * ((nu * nu + bc2) / P);
+    float T_p = T_s + R_s * (4.0 * (ac * is2) / P);
+    return fresnel_boundary(min(R_s, 1.0), min(R_p, 1.0), min(T_s, 1.0), min(T_p, 1.0));
 }
 
 void mx_fresnel_conductor_precise_boundary_float(float n_i, float n_t, float k_t, float cos_i, out float R_s, out float R_p, out float T_s, out float T_p) {

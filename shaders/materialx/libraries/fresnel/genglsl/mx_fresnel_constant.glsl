@@ -7,7 +7,7 @@
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.983, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.983, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    0 operations
 // source  no Fresnel effect
 float fresnel_constant(float f0, float cos_i) {

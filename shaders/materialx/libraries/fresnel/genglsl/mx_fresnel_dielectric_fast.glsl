@@ -29,8 +29,9 @@ float fresnel_dielectric_fast(float n_i, float n_t, float cos_i) {
 
 // The same for three channels, which share the angle.
 vec3 fresnel_dielectric_fast(float n_i, vec3 n_t, float cos_i) {
-    return vec3(fresnel_dielectric_fast(n_i, n_t.x, cos_i), fresnel_dielectric_fast(n_i, n_t.y, cos_i),
-            fresnel_dielectric_fast(n_i, n_t.z, cos_i));
+    return vec3(fresnel_dielectric_fast(n_i, n_t.x, cos_i),
+                fresnel_dielectric_fast(n_i, n_t.y, cos_i),
+                fresnel_dielectric_fast(n_i, n_t.z, cos_i));
 }
 
 void mx_fresnel_dielectric_fast_cos_float(float n_i, float n_t, float cos_i, out float result) {

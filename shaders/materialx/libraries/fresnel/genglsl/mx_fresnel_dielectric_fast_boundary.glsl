@@ -16,10 +16,11 @@ fresnel_boundary fresnel_dielectric_fast_boundary(float n_i, float n_t, float co
     float R_s = g2 <= 0.0 ? 1.0 : r2;
     float R_p = g2 <= 0.0 ? 1.0 : r2 * (q * q);
     float w = 4.0 * (c * g);
-    float T_s = w / (a * a);
-    float T_s_2 = g2 <= 0.0 ? 0.0 : T_s;
-    float T_p = g2 <= 0.0 ? 0.0 : T_s + r2 * (w * sin2 / (b * b));
-    return fresnel_boundary(R_s, R_p, min(T_s_2, 1.0), min(T_p, 1.0));
+    float through_s = w / (a * a);
+    float through_p = w * sin2 / (b * b);
+    float T_s = g2 <= 0.0 ? 0.0 : through_s;
+    float T_p = g2 <= 0.0 ? 0.0 : through_s + r2 * through_p;
+    return fresnel_boundary(R_s, R_p, min(T_s, 1.0), min(T_p, 1.0));
 }
 
 void mx_fresnel_dielectric_fast_boundary_float(float n_i, float n_t, float cos_i, out float R_s, out float R_p, out float T_s, out float T_p) {

@@ -8,28 +8,28 @@
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0517, certified: built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0517, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    17 operations
 // source  Hoffman 2019, Fresnel Equations Considered Harmful
 float fresnel_f82(float f0, float f82, float cos_i) {
     float one_minus_f0 = 1.0 - f0;
-    float at_82 = f0 + one_minus_f0 * 0.46266437;
-    float b = (at_82 - f82) * 17.651384;
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    float m5 = m2 * m2 * m;
-    return clamp(f0 + one_minus_f0 * m5 - b * cos_i * (m5 * m), 0.0, 1.0);
+    float at_82 = f0 + one_minus_f0 * 0.46266437; // Schlick's curve at cos_i = 1/7: x^5 is (6/7)^5
+    float b = (at_82 - f82) * 17.651384; // divided by c x^6 at cos_i = 1/7
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    float x5 = x2 * x2 * x;
+    return clamp(f0 + one_minus_f0 * x5 - b * cos_i * (x5 * x), 0.0, 1.0);
 }
 
 // The same for three channels, which share the angle.
 vec3 fresnel_f82(vec3 f0, vec3 f82, float cos_i) {
     vec3 one_minus_f0 = 1.0 - f0;
-    vec3 at_82 = f0 + one_minus_f0 * 0.46266437;
-    vec3 b = (at_82 - f82) * 17.651384;
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    float m5 = m2 * m2 * m;
-    return clamp(f0 + one_minus_f0 * m5 - b * cos_i * (m5 * m), 0.0, 1.0);
+    vec3 at_82 = f0 + one_minus_f0 * 0.46266437; // Schlick's curve at cos_i = 1/7: x^5 is (6/7)^5
+    vec3 b = (at_82 - f82) * 17.651384; // divided by c x^6 at cos_i = 1/7
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    float x5 = x2 * x2 * x;
+    return clamp(f0 + one_minus_f0 * x5 - b * cos_i * (x5 * x), 0.0, 1.0);
 }
 
 void mx_fresnel_f82_cos_float(float f0, float f82, float cos_i, out float result) {

@@ -7,22 +7,22 @@
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0328, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0328, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    13 operations
 // source  this library
 float fresnel_powers_3_9(float f0, float cos_i) {
     float a = max(0.46, f0);
-    float m = 1.0 - cos_i;
-    float m3 = m * m * m;
-    return clamp(f0 + m3 * (a - f0 + (1.0 - a) * (m3 * m3)), 0.0, 1.0);
+    float x = 1.0 - cos_i;
+    float x3 = x * x * x;
+    return clamp(f0 + x3 * (a - f0 + (1.0 - a) * (x3 * x3)), 0.0, 1.0);
 }
 
 // The same for three channels, which share the angle.
 vec3 fresnel_powers_3_9(vec3 f0, float cos_i) {
     vec3 a = max(vec3(0.46), f0);
-    float m = 1.0 - cos_i;
-    float m3 = m * m * m;
-    return clamp(f0 + m3 * (a - f0 + (1.0 - a) * (m3 * m3)), 0.0, 1.0);
+    float x = 1.0 - cos_i;
+    float x3 = x * x * x;
+    return clamp(f0 + x3 * (a - f0 + (1.0 - a) * (x3 * x3)), 0.0, 1.0);
 }
 
 void mx_fresnel_powers_3_9_cos_float(float f0, float cos_i, out float result) {

@@ -7,22 +7,22 @@
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0363, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0363, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    8 operations
 // source  this library
 float fresnel_powers_4_8(float f0, float cos_i) {
-    float one_minus_cos_i = 1.0 - cos_i;
-    float t = one_minus_cos_i * one_minus_cos_i;
-    float m4 = t * t;
-    return f0 + m4 * (0.55 - f0 + 0.45 * m4);
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    float x4 = x2 * x2;
+    return f0 + x4 * (0.55 - f0 + 0.45 * x4);
 }
 
 // The same for three channels, which share the angle.
 vec3 fresnel_powers_4_8(vec3 f0, float cos_i) {
-    float one_minus_cos_i = 1.0 - cos_i;
-    float t = one_minus_cos_i * one_minus_cos_i;
-    float m4 = t * t;
-    return f0 + m4 * (0.55 - f0 + 0.45 * m4);
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    float x4 = x2 * x2;
+    return f0 + x4 * (0.55 - f0 + 0.45 * x4);
 }
 
 void mx_fresnel_powers_4_8_cos_float(float f0, float cos_i, out float result) {

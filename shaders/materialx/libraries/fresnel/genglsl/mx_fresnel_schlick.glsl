@@ -7,20 +7,20 @@
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0824, certified: eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0824, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    7 operations
 // source  Schlick 1994, An Inexpensive BRDF Model for Physically-based Rendering
 float fresnel_schlick(float f0, float cos_i) {
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    return f0 + (1.0 - f0) * (m2 * m2 * m);
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    return f0 + (1.0 - f0) * (x2 * x2 * x);
 }
 
 // The same for three channels, which share the angle.
 vec3 fresnel_schlick(vec3 f0, float cos_i) {
-    float m = 1.0 - cos_i;
-    float m2 = m * m;
-    return f0 + (1.0 - f0) * (m2 * m2 * m);
+    float x = 1.0 - cos_i;
+    float x2 = x * x;
+    return f0 + (1.0 - f0) * (x2 * x2 * x);
 }
 
 void mx_fresnel_schlick_cos_float(float f0, float cos_i, out float result) {
