@@ -24,8 +24,8 @@
 #include "rivals.hpp"
 #include "units.hpp"
 
+#include "analysis/graph.hpp"
 #include "batch/core.hpp"
-#include "emit/function.hpp"
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -167,9 +167,6 @@ unit_kernels units_of(std::string_view set) {
     return {};
 }
 
-/// What one unpolarised reflectance is made of, each operation once however often it is used.
-operation_count operations_of(std::string_view model) { return emit::count_operations(emit::record(model)); }
-
 bool is_polynomial(const operation_count& n) { return n.division + n.root + n.exponential + n.power == 0; }
 
 /// Works that measure the units, and what their times say about a model.
@@ -241,7 +238,7 @@ void run_model(benchmark::State& state, const std::string& name, const batch_mod
                                [&] { units.stream(in.arrays.data(), arrays, rival_R.data(), count); }};
     for (const work& unit : limit::works(units))
         works.push_back(unit);
-    const operation_count operations = operations_of(model.name);
+    const operation_count operations = count_operations(model.name);
     const bool mixed = units.mix && count == small_size && operations.exponential + operations.power == 0;
     if (mixed) works.push_back([&] { units.mix(model.name, in.all.data(), rival_R.data(), count); });
 
@@ -376,7 +373,7 @@ void print_goals(std::FILE* to) {
             if (model.name == "conductor") print_goal(to, small, "share_of_limit", 0.75);
             if (model.name == "conductor_fast" || model.name.starts_with("dielectric"))
                 print_goal(to, small, "share_of_limit", 0.8);
-            if (is_polynomial(operations_of(model.name))) print_goal(to, small, "share_of_limit", 0.9);
+            if (is_polynomial(count_operations(model.name))) print_goal(to, small, "share_of_limit", 0.9);
             print_goal(to, large, "share_of_limit", 0.85);
         }
         const std::string conductor = fmt::format("conductor/{}/{}", set, small_size);

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <random>
 
@@ -133,7 +134,7 @@ TEST(sym, three_channels_are_the_scalar_function_three_times) {
                     three[name + "." + c] = x[i];
             }
             const interpreter a(scalar, one), b(split, three);
-            for (const emit::result& r : split.results)
+            for (const result& r : split.results)
                 expect_bits(a[scalar.results[0].node], b[r.node], std::string(row.name));
             if (HasFailure()) return;
         }
@@ -218,7 +219,7 @@ TEST(sym, a_hundred_thousand_nodes_deep_is_printed_without_recursion) {
     for (int i = 0; i < 100000; ++i)
         sum = let("s", sum * x + 1);
     f.results = {{"R", sum.node()}};
-    emit::simplify(f);
+    simplify(f);
     const std::string text = emit::print(emit::find_language("glsl"), f);
     EXPECT_NE(text.find("s_99999 ="), std::string::npos);
 }
@@ -230,7 +231,7 @@ void expect_simplified(const std::function<sym(sym)>& body, const std::string& t
     f.name = "guarded", f.arguments = {{"x", 1, ""}};
     const recording scope(f.graph);
     f.results = {{"R", body(f.graph.input("x")).node()}};
-    emit::simplify(f);
+    simplify(f);
     const std::string printed = emit::print(emit::find_language("glsl"), f);
     EXPECT_NE(printed.find("return " + text + ";"), std::string::npos) << printed;
     std::size_t i = 0;
@@ -268,6 +269,32 @@ std::string returned(const std::function<sym(sym, sym, sym)>& body, std::string_
     const std::string text = emit::print(emit::find_language(language), f);
     const std::size_t begin = text.find("return ") + 7;
     return text.substr(begin, text.find(';', begin) - begin);
+}
+
+// By hand:
+//   schlick           1 - c, three multiplications of pow5, 1 - f0, *, +
+//   air_conductor     k2 1; R_s 2 (+, square, + k2) and a division 4; n c, c c and k2 (c c) 3, R_p 2 (+, square, +) and
+//                     a division 4; R_s + R_p and its half 2
+//   schlick_internal  f0 7: eta - 1, eta + 1, a division, a square; g2 3, the two sums being those of f0;
+//                     comparison, root 4, division 4, min and selection 11; schlick 7
+TEST(operations, are_counted_once_each_as_by_hand) {
+    EXPECT_EQ(count_operations("schlick").cost(), 7);
+    EXPECT_EQ(count_operations("air_conductor").cost(), 1 + (6 + 4) + 3 + (6 + 4) + 2);
+    EXPECT_EQ(count_operations("schlick_internal").cost(), 7 + 3 + 11 + 7);
+    EXPECT_EQ(count_operations("schlick", 3).cost(), 4 + 3 * 3) << "(1 - c)^5 serves all channels";
+    EXPECT_EQ(count_operations("schlick_internal").division, 2);
+    EXPECT_EQ(count_operations("schlick_internal").root, 1);
+}
+
+TEST(operations, are_those_of_the_text) {
+    for (const model_row<double>& row : model_table<double>())
+        for (const int width : {1, 3}) {
+            const function f = emit::record(row.name, {.width = width, .boundary = false, .fixed = {}});
+            const int cost = count_operations(row.name, width).cost();
+            EXPECT_EQ(count_operations(f).cost(), cost) << row.name;
+            const std::string line = "cost    " + std::to_string(cost) + " operations";
+            EXPECT_EQ(std::count(f.comment.begin(), f.comment.end(), line), 1) << row.name << ": " << line;
+        }
 }
 
 TEST(printer, writes_the_parentheses_that_keep_the_order_and_no_others) {

@@ -1,7 +1,7 @@
 #include "commands.hpp"
 
 #include "analysis/cost_table.hpp"
-#include "analysis/model_table.hpp"
+#include "analysis/graph.hpp"
 #include "analysis/prove.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 #include "analysis/compare.hpp"
 
 #include "analysis/cost_table.hpp"
+#include "analysis/graph.hpp"
 #include "analysis/pareto.hpp"
 
 #include "materials/observer.hpp"
@@ -98,7 +99,7 @@ model_fit fit_model(std::string_view name, const std::array<channel, 3>& channel
     result.error = error_of(result.curve, exact);
     if (name == "f82" || name == "powers_4_12" || name == "powers_2_8_16")
         result.least_squares = fit_f82_of(name, channels);
-    result.cost = 3 * count_operations(name).cost();
+    result.cost = count_operations(name, 3).cost();
     return result;
 }
 

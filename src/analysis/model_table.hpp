@@ -9,7 +9,7 @@
 
 namespace fresnel {
 
-/// A row of the registry that can be picked by name at run time and evaluated as T: float, double or real50.
+/// A row of the registry that can be picked by name at run time and evaluated as T: float, double, real50 or sym.
 /// An approximation fills R_s and R_p with its one reflectance, and the transmittances with what is left.
 template <class T>
 struct model_row {
@@ -40,16 +40,9 @@ void check_range(const parameter& p, double value);
 /// The argument every model has beside its parameters.
 inline constexpr parameter cosine{"cos_i", "1", 0, 1, 1};
 
+/// Whether it is the index in front, which is one number where the others are RGB.
+inline bool is_ambient(const parameter& p) { return p.name == std::string_view("n_i"); }
+
 std::string_view to_string(model_kind kind);
-
-/// Operations that one unpolarised reflectance needs, counted by running the model on a number that remembers how
-/// it was made: + - * comparisons and selections are 1, a division, square root, exp2 or log2 is 4 and a pow 9, the
-/// rates of a graphics processor; a change of sign is free. For a model of several channels the caller multiplies.
-struct operation_count {
-    int cheap, division, root, exponential, power;
-    int cost() const { return cheap + 4 * (division + root + exponential) + 9 * power; }
-};
-
-operation_count count_operations(std::string_view model);
 
 } // namespace fresnel

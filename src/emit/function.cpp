@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 namespace fresnel::emit {
 
 namespace {
@@ -16,8 +14,6 @@ namespace {
 std::string meaning_of(const parameter& p) { return fmt::format("{}, [{}, {}]", p.meaning, p.min, p.max); }
 
 constexpr std::string_view angle_meaning = "cosine of incidence, [0, 1]";
-
-bool is_ambient(std::string_view name) { return name == "n_i"; }
 
 void check_fixed(const model_row<double>& row, const request& wanted) {
     for (const auto& [name, values] : wanted.fixed) {
@@ -44,7 +40,7 @@ sym symbol_of(function& f, const parameter& p, const request& wanted) {
         f.graph.name(value.node(), p.name);
         return value;
     }
-    const int width = is_ambient(p.name) ? 1 : wanted.width;
+    const int width = is_ambient(p) ? 1 : wanted.width;
     f.arguments.push_back({std::string(p.name), width, meaning_of(p)});
     return f.graph.input(p.name, width);
 }
@@ -87,25 +83,22 @@ sym widened(sym x, int width) {
     return recording::graph()[x.node()].width == width ? x : x * sym::constant(std::array<float, 3>{1, 1, 1});
 }
 
-template <class Row>
-void record_row(const Row& row, function& f, const request& wanted) {
+void record_row(const model_row<sym>& row, function& f, const request& wanted) {
     std::vector<sym> values;
     for (const parameter& p : row.parameters)
         values.push_back(symbol_of(f, p, wanted));
     f.arguments.push_back({"cos_i", 1, std::string(angle_meaning)});
-    const auto value = evaluate(row, values, f.graph.input("cos_i"));
-    if constexpr (requires { value.R_s; })
-        if (wanted.boundary) {
-            f.results = {{"R_s", value.R_s.node()},
-                         {"R_p", value.R_p.node()},
-                         {"T_s", value.T_s.node()},
-                         {"T_p", value.T_p.node()}};
-            return;
-        }
-    bool rgb = wanted.width == 3 && row.name != std::string_view("one_minus_cos");
+    const sym cos_i = f.graph.input("cos_i");
+    if (wanted.boundary && row.polarised()) {
+        const boundary<sym> b = row.evaluate(values.data(), cos_i);
+        f.results = {
+            {"R_s", b.R_s.node()}, {"R_p", b.R_p.node()}, {"T_s", b.T_s.node()}, {"T_p", b.T_p.node()}};
+        return;
+    }
+    bool rgb = wanted.width == 3 && row.name != "one_minus_cos";
     for (const auto& [name, fixed] : wanted.fixed)
         rgb = rgb || fixed[0] != fixed[1] || fixed[1] != fixed[2];
-    const sym R = reflectance(value);
+    const sym R = reflectance(row, values, cos_i);
     f.results = {{"R", rgb ? widened(R, 3).node() : R.node()}};
 }
 
@@ -172,63 +165,11 @@ function scalarized(const function& f, std::string (*component)(std::string_view
     return split;
 }
 
-std::vector<bool> needed_nodes(const function& f) {
-    std::vector<bool> needed(f.graph.size());
-    for (const result& r : f.results)
-        needed[r.node] = true;
-    for (std::size_t i = f.graph.size(); i-- > 0;)
-        if (needed[i])
-            for (std::size_t k = 0; k < arity(f.graph[static_cast<std::uint32_t>(i)].op); ++k)
-                needed[f.graph[static_cast<std::uint32_t>(i)].operands[k]] = true;
-    return needed;
-}
-
 bool calls_twofold(const function& f) {
     const std::vector<bool> needed = needed_nodes(f);
     for (std::uint32_t i = 0; i < f.graph.size(); ++i)
         if (needed[i] && f.graph.call_of(i) != nullptr) return true;
     return false;
-}
-
-operation_count count_operations(const function& f) {
-    const std::vector<bool> needed = needed_nodes(f);
-    operation_count count{};
-    for (std::uint32_t i = 0; i < f.graph.size(); ++i) {
-        const expression& x = f.graph[i];
-        if (!needed[i]) continue;
-        switch (x.op) {
-        case operation::input:
-        case operation::constant:
-        case operation::negate:
-        case operation::absolute:
-            break;
-        case operation::divide: {
-            // by a power of two it is a multiplication
-            int exponent = 0;
-            const expression& by = f.graph[x.operands[1]];
-            const bool exact = by.op == operation::constant && std::frexp(by.value[0], &exponent) == 0.5f;
-            (exact ? count.cheap : count.division) += x.width;
-            break;
-        }
-        case operation::square_root:
-            count.root += x.width;
-            break;
-        case operation::exponential2:
-        case operation::logarithm2:
-        case operation::logarithm:
-            count.exponential += x.width;
-            break;
-        case operation::power:
-            count.power += x.width;
-            break;
-        case operation::dot_product:
-            count.cheap += 5;
-            break;
-        default:
-            count.cheap += x.width;
-        }
-    }
-    return count;
 }
 
 function record(std::string_view model, const request& wanted) {
@@ -237,9 +178,7 @@ function record(std::string_view model, const request& wanted) {
     function f;
     f.name = row.name;
     const recording scope(f.graph);
-    for_each_model([&](const auto& each) {
-        if (each.name == model) record_row(each, f, wanted);
-    });
+    record_row(find_model<sym>(model), f, wanted);
     simplify(f);
     f.comment = comment_of(row, f);
     return f;

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "analysis/model_table.hpp"
-
-#include <fresnel/types/sym.hpp>
+#include "analysis/graph.hpp"
 
 #include <map>
 #include <string>
@@ -18,18 +16,11 @@ struct argument {
     std::string meaning; ///< what stands after the name in the text's comment: what it is, its domain
 };
 
-/// A quantity that an emitted function returns.
-struct result {
+/// A function of this library as a graph, ready to be printed in any language. Its results are the reflectance alone, or
+/// R_s, R_p, T_s and T_p, or the two of a twofold.
+struct function : recorded {
     std::string name;
-    std::uint32_t node;
-};
-
-/// A function of this library as a graph, ready to be printed in any language.
-struct function {
-    std::string name;
-    std::vector<argument> arguments; ///< in the order of the registry, cos_i last
-    std::vector<result> results; ///< the reflectance alone, or R_s, R_p, T_s and T_p, or the two of a twofold
-    expression_graph graph;
+    std::vector<argument> arguments;  ///< in the order of the registry, cos_i last
     std::vector<std::string> comment; ///< what is said above it, a line each
     bool directions = false;          ///< whether its triples are directions in space, not RGB values
     bool components = false;          ///< whether its three results are the components of one
@@ -62,21 +53,8 @@ std::vector<function> record_twofold();
 /// Whether a function calls those of record_twofold.
 bool calls_twofold(const function& f);
 
-/// The same value with less to read and to compute:
-///   m ? a : f(m ? b : c)       becomes m ? a : f(c)
-///   x <= 0 ? 0 : sqrt(x)       becomes sqrt(max(x, 0))
-///   f(m ? 1 : a, m ? 2 : b)    becomes m ? f(1, 2) : f(a, b) with f(1, 2) a constant, where that is cheaper
-/// Every bit stays for finite x.
-void simplify(function& f);
-
 /// The same function with a node for each component, for languages that cannot compute with three values at once: an
 /// input f0 becomes f0.x, f0.y and f0.z, with `component` making those names.
 function scalarized(const function& f, std::string (*component)(std::string_view name, int i));
-
-/// The nodes that the results need: needed[node].
-std::vector<bool> needed_nodes(const function& f);
-
-/// Operations of one evaluation, each node once; three channels count three times.
-operation_count count_operations(const function& f);
 
 } // namespace fresnel::emit

@@ -79,7 +79,7 @@ std::string answer(std::string_view device, std::span<const shader_program> prog
             all.push_back(to_json(program));
         return nlohmann::json{{"driver", made.driver}, {"programs", all}}.dump();
     } catch (const std::exception& error) {
-        return nlohmann::json{{"error", error.what()}}.dump();
+        return nlohmann::json{{"error", fmt::format("cost: {}", error.what())}}.dump();
     }
 }
 

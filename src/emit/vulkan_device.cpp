@@ -1,14 +1,15 @@
 #include "emit/vulkan_device.hpp"
 
 #include "error.hpp"
+#include "render/vulkan_context.hpp"
 
 #include <fmt/format.h>
 #include <glslang/Include/glslang_c_interface.h>
 #include <glslang/Public/ResourceLimits.h>
-#include <vulkan/vulkan.h>
 
 #include <algorithm>
 #include <array>
+#include <deque>
 #include <memory>
 
 namespace fresnel::emit {
@@ -51,8 +52,8 @@ parsed_shader parse(shader_stage stage, const std::string& text) {
     glslang_shader_shift_binding(shader.get(), GLSLANG_RESOURCE_TYPE_UBO, first_block);
     if (glslang_shader_preprocess(shader.get(), &input) == 0 ||
         glslang_shader_parse(shader.get(), &input) == 0)
-        throw failure(fmt::format("cost: the {} shader: {}", to_string(stage),
-                                  glslang_shader_get_info_log(shader.get())));
+        throw failure(
+            fmt::format("the {} shader: {}", to_string(stage), glslang_shader_get_info_log(shader.get())));
     return shader;
 }
 
@@ -68,8 +69,7 @@ std::map<shader_stage, std::vector<std::uint32_t>> spirv(const std::map<shader_s
     }
     if (glslang_program_link(program.get(), GLSLANG_MSG_SPV_RULES_BIT | GLSLANG_MSG_VULKAN_RULES_BIT) == 0 ||
         glslang_program_map_io(program.get()) == 0)
-        throw failure(
-            fmt::format("cost: the stages do not fit: {}", glslang_program_get_info_log(program.get())));
+        throw failure(fmt::format("the stages do not fit: {}", glslang_program_get_info_log(program.get())));
     std::map<shader_stage, std::vector<std::uint32_t>> made;
     std::size_t before = 0; // glslang puts the words of a stage after those of the last
     for (const auto& [stage, text] : sources) {
@@ -84,10 +84,7 @@ std::map<shader_stage, std::vector<std::uint32_t>> spirv(const std::map<shader_s
 
 // ---- Vulkan -----------------------------------------------------------------------------------------------
 
-void require(VkResult result, std::string_view what) {
-    if (result != VK_SUCCESS)
-        throw failure(fmt::format("cost: Vulkan: {} failed ({})", what, static_cast<int>(result)));
-}
+using render::check, render::owned;
 
 VkShaderStageFlagBits bit_of(shader_stage stage) {
     return stage == shader_stage::vertex     ? VK_SHADER_STAGE_VERTEX_BIT
@@ -131,27 +128,15 @@ struct color_target {
                                               .pAttachments = &written};
 };
 
-/// The device of this process. It is never destroyed: the process ends with it.
+/// The device of this process.
 class null_device {
 public:
     null_device() {
-        const VkApplicationInfo application{.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO,
-                                            .apiVersion = VK_API_VERSION_1_3};
-        const VkInstanceCreateInfo info{.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
-                                        .pApplicationInfo = &application};
-        VkInstance instance;
-        require(vkCreateInstance(&info, nullptr, &instance), "vkCreateInstance");
-        std::uint32_t count = 1;
-        VkPhysicalDevice physical;
-        if (vkEnumeratePhysicalDevices(instance, &count, &physical) != VK_SUCCESS || count == 0)
-            throw failure("cost: RADV offers no device without hardware");
         VkPhysicalDeviceDriverProperties driver{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
         VkPhysicalDeviceProperties2 about{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2,
                                           .pNext = &driver};
-        vkGetPhysicalDeviceProperties2(physical, &about);
+        vkGetPhysicalDeviceProperties2(context_.physical(), &about);
         driver_ = driver.driverInfo;
-        create(physical);
-        make_layout();
         read_properties_ = reinterpret_cast<PFN_vkGetPipelineExecutablePropertiesKHR>(
             vkGetDeviceProcAddr(device_, "vkGetPipelineExecutablePropertiesKHR"));
         read_statistics_ = reinterpret_cast<PFN_vkGetPipelineExecutableStatisticsKHR>(
@@ -164,12 +149,13 @@ public:
 
     compiled_program compile(const shader_program& program, bool with_assembly) const {
         std::vector<VkPipelineShaderStageCreateInfo> stages;
+        std::deque<owned<VkShaderModule>> modules;
         for (const auto& [stage, words] : spirv(program.sources)) {
             const VkShaderModuleCreateInfo info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
                                                 .codeSize = 4 * words.size(),
                                                 .pCode = words.data()};
-            VkShaderModule module;
-            require(vkCreateShaderModule(device_, &info, nullptr, &module), "vkCreateShaderModule");
+            owned<VkShaderModule>& module = modules.emplace_back(device_, vkDestroyShaderModule);
+            check(vkCreateShaderModule(device_, &info, nullptr, &module.object), "vkCreateShaderModule");
             stages.push_back({.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
                               .stage = bit_of(stage),
                               .module = module,
@@ -179,18 +165,15 @@ public:
             VK_PIPELINE_CREATE_CAPTURE_INTERNAL_REPRESENTATIONS_BIT_KHR;
         const VkPipelineCreateFlags flags =
             VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR | (with_assembly ? capture_texts : 0);
-        const VkPipeline pipeline = stages.front().stage == VK_SHADER_STAGE_COMPUTE_BIT
-                                        ? compute(stages.front(), flags)
-                                        : graphics(stages, program.attributes, flags);
-        compiled_program made = describe(pipeline, with_assembly);
-        vkDestroyPipeline(device_, pipeline, nullptr);
-        for (const auto& stage : stages)
-            vkDestroyShaderModule(device_, stage.module, nullptr);
-        return made;
+        owned<VkPipeline> pipeline(device_, vkDestroyPipeline);
+        pipeline.object = stages.front().stage == VK_SHADER_STAGE_COMPUTE_BIT
+                              ? compute(stages.front(), flags)
+                              : graphics(stages, program.attributes, flags);
+        return describe(pipeline, with_assembly);
     }
 
 private:
-    void create(VkPhysicalDevice physical) {
+    static render::vulkan_context open() {
         VkPhysicalDevicePipelineExecutablePropertiesFeaturesKHR executables{
             .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PIPELINE_EXECUTABLE_PROPERTIES_FEATURES_KHR,
             .pipelineExecutableInfo = VK_TRUE};
@@ -198,52 +181,28 @@ private:
             .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES,
             .pNext = &executables,
             .dynamicRendering = VK_TRUE};
-        const float priority = 1;
-        const VkDeviceQueueCreateInfo queue{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
-                                            .queueFamilyIndex = 0,
-                                            .queueCount = 1,
-                                            .pQueuePriorities = &priority};
-        const char* extension = VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME;
-        const VkDeviceCreateInfo info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
-                                      .pNext = &features,
-                                      .queueCreateInfoCount = 1,
-                                      .pQueueCreateInfos = &queue,
-                                      .enabledExtensionCount = 1,
-                                      .ppEnabledExtensionNames = &extension};
-        require(vkCreateDevice(physical, &info, nullptr, &device_), "vkCreateDevice");
+        constexpr const char* extensions[] = {VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME};
+        return render::vulkan_context({}, &features, extensions);
     }
 
     // Whatever a program wants: buffers, textures with their samplers, uniform blocks.
-    void make_layout() {
-        std::vector<VkDescriptorSetLayoutBinding> all;
+    static std::array<VkDescriptorType, bindings> every_type() {
+        std::array<VkDescriptorType, bindings> all{};
         for (std::uint32_t i = 0; i < bindings; ++i)
-            all.push_back({.binding = i,
-                           .descriptorType = i < first_texture ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
-                                             : i < first_block ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
-                                                               : VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
-                           .descriptorCount = 1,
-                           .stageFlags = VK_SHADER_STAGE_ALL});
-        const VkDescriptorSetLayoutCreateInfo set{.sType =
-                                                      VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
-                                                  .bindingCount = bindings,
-                                                  .pBindings = all.data()};
-        VkDescriptorSetLayout set_layout;
-        require(vkCreateDescriptorSetLayout(device_, &set, nullptr, &set_layout),
-                "vkCreateDescriptorSetLayout");
-        const VkPipelineLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
-                                              .setLayoutCount = 1,
-                                              .pSetLayouts = &set_layout};
-        require(vkCreatePipelineLayout(device_, &info, nullptr, &layout_), "vkCreatePipelineLayout");
+            all[i] = i < first_texture ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
+                     : i < first_block ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
+                                       : VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+        return all;
     }
 
     VkPipeline compute(const VkPipelineShaderStageCreateInfo& stage, VkPipelineCreateFlags flags) const {
         const VkComputePipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
                                                .flags = flags,
                                                .stage = stage,
-                                               .layout = layout_};
+                                               .layout = layout_.whole};
         VkPipeline pipeline;
-        require(vkCreateComputePipelines(device_, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
-                "vkCreateComputePipelines");
+        check(vkCreateComputePipelines(device_, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+              "vkCreateComputePipelines");
         return pipeline;
     }
 
@@ -279,10 +238,10 @@ private:
                                                 .pRasterizationState = &raster,
                                                 .pMultisampleState = &samples,
                                                 .pColorBlendState = &target.blend,
-                                                .layout = layout_};
+                                                .layout = layout_.whole};
         VkPipeline pipeline;
-        require(vkCreateGraphicsPipelines(device_, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
-                "vkCreateGraphicsPipelines");
+        check(vkCreateGraphicsPipelines(device_, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+              "vkCreateGraphicsPipelines");
         return pipeline;
     }
 
@@ -292,7 +251,7 @@ private:
         for (auto& p : properties)
             p.sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_PROPERTIES_KHR;
         std::uint32_t count = properties.size();
-        require(read_properties_(device_, &info, &count, properties.data()), "reading the executables");
+        check(read_properties_(device_, &info, &count, properties.data()), "reading the executables");
         compiled_program made;
         for (std::uint32_t i = 0; i < count; ++i)
             for (const shader_stage stage :
@@ -312,7 +271,7 @@ private:
         for (auto& s : all)
             s.sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_STATISTIC_KHR;
         std::uint32_t count = all.size();
-        require(read_statistics_(device_, &info, &count, all.data()), "reading the statistics");
+        check(read_statistics_(device_, &info, &count, all.data()), "reading the statistics");
         std::map<std::string, double> read;
         for (std::uint32_t i = 0; i < count; ++i)
             if (all[i].format == VK_PIPELINE_EXECUTABLE_STATISTIC_FORMAT_UINT64_KHR)
@@ -328,21 +287,22 @@ private:
         for (auto& r : all)
             r.sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_INTERNAL_REPRESENTATION_KHR;
         std::uint32_t count = all.size();
-        require(read_texts_(device_, &info, &count, all.data()), "reading the sizes of the texts");
+        check(read_texts_(device_, &info, &count, all.data()), "reading the sizes of the texts");
         std::vector<std::string> texts(count);
         for (std::uint32_t i = 0; i < count; ++i) {
             texts[i].resize(all[i].dataSize);
             all[i].pData = texts[i].data();
         }
-        require(read_texts_(device_, &info, &count, all.data()), "reading the texts");
+        check(read_texts_(device_, &info, &count, all.data()), "reading the texts");
         for (std::uint32_t i = 0; i < count; ++i)
             if (std::string_view(all[i].name) == "Assembly") return texts[i].substr(0, texts[i].find(char{}));
         return {};
     }
 
+    render::vulkan_context context_ = open();
+    VkDevice device_ = context_.device();
     std::string driver_;
-    VkDevice device_{};
-    VkPipelineLayout layout_{};
+    render::pipeline_layout layout_{device_, every_type()};
     PFN_vkGetPipelineExecutablePropertiesKHR read_properties_{};
     PFN_vkGetPipelineExecutableStatisticsKHR read_statistics_{};
     PFN_vkGetPipelineExecutableInternalRepresentationsKHR read_texts_{};

@@ -2,8 +2,7 @@
 
 #include "error.hpp"
 #include "render/unwatched.hpp"
-
-#include <vulkan/vulkan.h>
+#include "render/vulkan_context.hpp"
 
 #include <fmt/format.h>
 
@@ -14,29 +13,6 @@
 namespace fresnel::render {
 
 namespace {
-
-void check(VkResult result, std::string_view what) {
-    if (result != VK_SUCCESS)
-        throw failure(fmt::format("Vulkan: {}: error {}", what, static_cast<int>(result)));
-}
-
-/// A Vulkan object of a device, destroyed at the end of its scope.
-template <class Object>
-class owned {
-public:
-    using destroyer = void (*)(VkDevice, Object, const VkAllocationCallbacks*);
-    owned(VkDevice device, destroyer destroy) : device_(device), destroy_(destroy) {}
-    ~owned() { destroy_(device_, object, nullptr); }
-    owned(const owned&) = delete;
-    owned& operator=(const owned&) = delete;
-    operator Object() const { return object; }
-
-    Object object = VK_NULL_HANDLE;
-
-private:
-    VkDevice device_;
-    destroyer destroy_;
-};
 
 /// A storage buffer that this program can read and write.
 class buffer {
@@ -78,21 +54,14 @@ private:
 
 class vulkan final : public compute_device {
 public:
-    vulkan() {
-        try {
-            open();
-        } catch (...) {
-            close();
-            throw;
-        }
+    explicit vulkan(std::string_view named) : context_(named) {
+        vkGetPhysicalDeviceMemoryProperties(context_.physical(), &memories_);
+        vkGetDeviceQueue(device_, context_.family(), 0, &queue_);
     }
-    ~vulkan() override { close(); }
-    vulkan(const vulkan&) = delete;
-    vulkan& operator=(const vulkan&) = delete;
 
     std::string name() const override {
-        const std::uint32_t v = properties_.apiVersion;
-        return fmt::format("{}, Vulkan {}.{}.{}", properties_.deviceName, VK_API_VERSION_MAJOR(v),
+        const std::uint32_t v = context_.properties().apiVersion;
+        return fmt::format("{}, Vulkan {}.{}.{}", context_.properties().deviceName, VK_API_VERSION_MAJOR(v),
                            VK_API_VERSION_MINOR(v), VK_API_VERSION_PATCH(v));
     }
 
@@ -103,91 +72,20 @@ public:
         const buffer in(device_, memories_, inputs.size_bytes());
         const buffer out(device_, memories_, results.size() * sizeof(float));
         std::memcpy(in.data(), inputs.data(), inputs.size_bytes());
-        owned<VkDescriptorSetLayout> set_layout(device_, vkDestroyDescriptorSetLayout);
-        owned<VkPipelineLayout> layout(device_, vkDestroyPipelineLayout);
-        make_layouts(set_layout, layout);
+        constexpr VkDescriptorType both[] = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+                                             VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
+        const pipeline_layout layout(device_, both);
         owned<VkShaderModule> module(device_, vkDestroyShaderModule);
         owned<VkPipeline> pipeline(device_, vkDestroyPipeline);
-        make_pipeline(shader, layout, module, pipeline);
+        make_pipeline(shader, layout.whole, module, pipeline);
         owned<VkDescriptorPool> pool(device_, vkDestroyDescriptorPool);
-        const VkDescriptorSet set = describe(pool, set_layout, in.get(), out.get());
-        submit(pipeline, layout, set, static_cast<std::uint32_t>((how.rows + 63) / 64));
+        const VkDescriptorSet set = describe(pool, layout.set, in.get(), out.get());
+        submit(pipeline, layout.whole, set, static_cast<std::uint32_t>((how.rows + 63) / 64));
         std::memcpy(results.data(), out.data(), results.size() * sizeof(float));
         return results;
     }
 
 private:
-    void open() {
-        VkApplicationInfo application{};
-        application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
-        application.apiVersion = VK_API_VERSION_1_1;
-        VkInstanceCreateInfo info{};
-        info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
-        info.pApplicationInfo = &application;
-        if (vkCreateInstance(&info, nullptr, &instance_) != VK_SUCCESS)
-            throw no_device("Vulkan finds no driver; mesa-vulkan-drivers has a software one");
-        choose();
-        vkGetPhysicalDeviceMemoryProperties(physical_, &memories_);
-        family_ = compute_family();
-        const float priority = 1;
-        VkDeviceQueueCreateInfo queue{};
-        queue.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
-        queue.queueFamilyIndex = family_, queue.queueCount = 1, queue.pQueuePriorities = &priority;
-        VkDeviceCreateInfo device{};
-        device.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
-        device.queueCreateInfoCount = 1, device.pQueueCreateInfos = &queue;
-        check(vkCreateDevice(physical_, &device, nullptr, &device_), "the device");
-        vkGetDeviceQueue(device_, family_, 0, &queue_);
-    }
-
-    void close() {
-        if (device_ != VK_NULL_HANDLE) vkDestroyDevice(device_, nullptr);
-        if (instance_ != VK_NULL_HANDLE) vkDestroyInstance(instance_, nullptr);
-    }
-
-    void choose() {
-        const char* asked = std::getenv("FRESNEL_VULKAN_DEVICE");
-        const std::string wanted = asked != nullptr ? asked : "llvmpipe";
-        std::uint32_t count = 0;
-        vkEnumeratePhysicalDevices(instance_, &count, nullptr);
-        std::vector<VkPhysicalDevice> all(count);
-        vkEnumeratePhysicalDevices(instance_, &count, all.data());
-        for (const VkPhysicalDevice device : all) {
-            vkGetPhysicalDeviceProperties(device, &properties_);
-            physical_ = device;
-            if (std::string_view(properties_.deviceName).find(wanted) != std::string_view::npos) return;
-        }
-        throw no_device(
-            fmt::format("Vulkan has no device called {}; mesa-vulkan-drivers has the software one", wanted));
-    }
-
-    std::uint32_t compute_family() const {
-        std::uint32_t count = 0;
-        vkGetPhysicalDeviceQueueFamilyProperties(physical_, &count, nullptr);
-        std::vector<VkQueueFamilyProperties> all(count);
-        vkGetPhysicalDeviceQueueFamilyProperties(physical_, &count, all.data());
-        for (std::uint32_t i = 0; i < count; ++i)
-            if ((all[i].queueFlags & VK_QUEUE_COMPUTE_BIT) != 0) return i;
-        throw no_device("the Vulkan device does not compute");
-    }
-
-    void make_layouts(owned<VkDescriptorSetLayout>& set, owned<VkPipelineLayout>& layout) const {
-        std::array<VkDescriptorSetLayoutBinding, 2> bindings{};
-        for (std::uint32_t i = 0; i < 2; ++i) {
-            bindings[i].binding = i, bindings[i].descriptorCount = 1;
-            bindings[i].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-            bindings[i].stageFlags = VK_SHADER_STAGE_COMPUTE_BIT;
-        }
-        VkDescriptorSetLayoutCreateInfo info{};
-        info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
-        info.bindingCount = 2, info.pBindings = bindings.data();
-        check(vkCreateDescriptorSetLayout(device_, &info, nullptr, &set.object), "a layout");
-        VkPipelineLayoutCreateInfo pipeline{};
-        pipeline.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
-        pipeline.setLayoutCount = 1, pipeline.pSetLayouts = &set.object;
-        check(vkCreatePipelineLayout(device_, &pipeline, nullptr, &layout.object), "a layout");
-    }
-
     void make_pipeline(const std::string& spirv, VkPipelineLayout layout, owned<VkShaderModule>& module,
                        owned<VkPipeline>& pipeline) const {
         std::vector<std::uint32_t> words(spirv.size() / 4);
@@ -234,7 +132,7 @@ private:
         owned<VkCommandPool> pool(device_, vkDestroyCommandPool);
         VkCommandPoolCreateInfo info{};
         info.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
-        info.queueFamilyIndex = family_;
+        info.queueFamilyIndex = context_.family();
         check(vkCreateCommandPool(device_, &info, nullptr, &pool.object), "a command pool");
         VkCommandBufferAllocateInfo allocation{};
         allocation.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
@@ -256,20 +154,18 @@ private:
         check(vkQueueWaitIdle(queue_), "a dispatch");
     }
 
-    VkInstance instance_ = VK_NULL_HANDLE;
-    VkPhysicalDevice physical_ = VK_NULL_HANDLE;
-    VkPhysicalDeviceProperties properties_{};
+    vulkan_context context_;
+    VkDevice device_ = context_.device();
     VkPhysicalDeviceMemoryProperties memories_{};
-    VkDevice device_ = VK_NULL_HANDLE;
     VkQueue queue_ = VK_NULL_HANDLE;
-    std::uint32_t family_ = 0;
 };
 
 } // namespace
 
 std::unique_ptr<compute_device> open_vulkan() {
     const unwatched driver;
-    return std::make_unique<vulkan>();
+    const char* named = std::getenv("FRESNEL_VULKAN_DEVICE");
+    return std::make_unique<vulkan>(named != nullptr ? named : "llvmpipe");
 }
 
 } // namespace fresnel::render

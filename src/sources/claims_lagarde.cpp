@@ -4,7 +4,7 @@
 #include "analysis/compare.hpp"
 #include "analysis/curve.hpp"
 #include "analysis/fit.hpp"
-#include "analysis/model_table.hpp"
+#include "analysis/graph.hpp"
 #include "materials/catalog.hpp"
 
 #include <fresnel/approx.hpp>

@@ -5,7 +5,7 @@
 #include "analysis/curve.hpp"
 #include "analysis/fit.hpp"
 #include "analysis/metalness.hpp"
-#include "analysis/model_table.hpp"
+#include "analysis/graph.hpp"
 #include "materials/catalog.hpp"
 #include "materials/observer.hpp"
 

@@ -1,7 +1,7 @@
 #include "sources/parts.hpp"
 
 #include "analysis/curve.hpp"
-#include "analysis/model_table.hpp"
+#include "analysis/graph.hpp"
 #include "analysis/multi.hpp"
 #include "materials/catalog.hpp"
 

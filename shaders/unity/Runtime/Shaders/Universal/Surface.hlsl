@@ -7,23 +7,7 @@
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl"
 #include "../Highlight.hlsl"
-
-struct vertex_input {
-    float4 position : POSITION;
-    float3 normal : NORMAL;
-    float4 tangent : TANGENT;
-    float2 texcoord : TEXCOORD0;
-    UNITY_VERTEX_INPUT_INSTANCE_ID
-};
-
-struct fragment_input {
-    float4 clip_position : SV_POSITION;
-    float3 world_position : TEXCOORD0;
-    float3 world_normal : TEXCOORD1;
-    float4 world_tangent : TEXCOORD2; // w is the sign of the bitangent
-    float2 texcoord : TEXCOORD3;
-    UNITY_VERTEX_OUTPUT_STEREO
-};
+#include "../Stages.hlsl"
 
 fragment_input surface_vertex(vertex_input input) {
     fragment_input output;
@@ -41,16 +25,6 @@ fragment_input surface_vertex(vertex_input input) {
 // From the surface to the eye.
 float3 view_direction(fragment_input input) {
     return GetWorldSpaceNormalizeViewDir(input.world_position);
-}
-
-float3 vertex_normal(fragment_input input) {
-    return normalize(input.world_normal);
-}
-
-// The normal of a normal map in tangent space.
-float3 mapped_normal(fragment_input input, float3 texel) {
-    float3 bitangent = input.world_tangent.w * cross(input.world_normal, input.world_tangent.xyz);
-    return normalize(texel.x * input.world_tangent.xyz + texel.y * bitangent + texel.z * input.world_normal);
 }
 
 // All lights on a surface, each attenuated as the pipeline does.

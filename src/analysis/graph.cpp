@@ -1,8 +1,9 @@
-#include "emit/function.hpp"
+#include "analysis/graph.hpp"
 
+#include <cmath>
 #include <optional>
 
-namespace fresnel::emit {
+namespace fresnel {
 
 namespace {
 
@@ -113,7 +114,7 @@ std::uint32_t with_choice_outside(expression_graph& graph, std::uint32_t node) {
 
 // Every node that the results need, operands first, made anew by `rule` of the node with its new operands.
 template <class Rule>
-void rewrite(function& f, Rule&& rule) {
+void rewrite(recorded& f, Rule&& rule) {
     expression_graph& graph = f.graph;
     const std::size_t size = graph.size();
     const std::vector<bool> wanted = needed_nodes(f);
@@ -130,13 +131,82 @@ void rewrite(function& f, Rule&& rule) {
 
 } // namespace
 
-void simplify(function& f) {
+void simplify(recorded& f) {
     rewrite(f, without_repetition);
-    function outside = f;
+    recorded outside = f;
     rewrite(outside, with_choice_outside);
     rewrite(outside, without_repetition);
     if (count_operations(outside).cost() < count_operations(f).cost()) f = std::move(outside);
     rewrite(f, without_guard);
 }
 
-} // namespace fresnel::emit
+std::vector<bool> needed_nodes(const recorded& f) {
+    std::vector<bool> needed(f.graph.size());
+    for (const result& r : f.results)
+        needed[r.node] = true;
+    for (std::size_t i = f.graph.size(); i-- > 0;)
+        if (needed[i])
+            for (std::size_t k = 0; k < arity(f.graph[static_cast<std::uint32_t>(i)].op); ++k)
+                needed[f.graph[static_cast<std::uint32_t>(i)].operands[k]] = true;
+    return needed;
+}
+
+operation_count count_operations(const recorded& f) {
+    const std::vector<bool> needed = needed_nodes(f);
+    operation_count count{};
+    for (std::uint32_t i = 0; i < f.graph.size(); ++i) {
+        const expression& x = f.graph[i];
+        if (!needed[i]) continue;
+        switch (x.op) {
+        case operation::input:
+        case operation::constant:
+        case operation::negate:
+        case operation::absolute:
+            break;
+        case operation::divide: {
+            // by a power of two it is a multiplication
+            int exponent = 0;
+            const expression& by = f.graph[x.operands[1]];
+            const bool exact = by.op == operation::constant && std::frexp(by.value[0], &exponent) == 0.5f;
+            (exact ? count.cheap : count.division) += x.width;
+            break;
+        }
+        case operation::square_root:
+            count.root += x.width;
+            break;
+        case operation::exponential2:
+        case operation::logarithm2:
+        case operation::logarithm:
+            count.exponential += x.width;
+            break;
+        case operation::power:
+            count.power += x.width;
+            break;
+        case operation::dot_product:
+            count.cheap += 5;
+            break;
+        default:
+            count.cheap += x.width;
+        }
+    }
+    return count;
+}
+
+sym reflectance(const model_row<sym>& row, const std::vector<sym>& parameters, sym cos_i) {
+    const boundary<sym> b = row.evaluate(parameters.data(), cos_i);
+    return row.polarised() ? reflectance(b) : b.R_s;
+}
+
+operation_count count_operations(std::string_view model, int width) {
+    const model_row<sym>& row = find_model<sym>(model);
+    recorded f;
+    const recording scope(f.graph);
+    std::vector<sym> parameters;
+    for (const parameter& p : row.parameters)
+        parameters.push_back(f.graph.input(p.name, is_ambient(p) ? 1 : width));
+    f.results = {{"R", reflectance(row, parameters, f.graph.input(cosine.name)).node()}};
+    simplify(f);
+    return count_operations(f);
+}
+
+} // namespace fresnel
