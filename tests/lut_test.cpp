@@ -435,7 +435,7 @@ const std::vector<receiver> receivers = {
      "@fragment fn main(@location(0) c: f32) -> @location(0) vec4f { return vec4f(vec3f(CALL(x, s, ARGS)), "
      "1.0); "
      "}\n",
-     "t.wgsl", "tint t.wgsl -o o.wgsl"},
+     "t.wgsl", "fresnel-naga t.wgsl t.spv"},
 };
 
 std::string replaced(std::string text, const std::string& what, const std::string& with) {

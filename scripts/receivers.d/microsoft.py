@@ -5,7 +5,7 @@ import shutil
 from pathlib import Path
 
 from callers import statements
-from receiver import Receiver, Skipped, add, apt, cache, functions, install, locked, npm, run
+from receiver import WEBGPU, WEBGPU_AS_READ, Receiver, Skipped, add, apt, cache, functions, install, locked, npm, run
 
 HERE = Path(__file__).parent
 OLD_SAMPLERS = "#define sampler2D sampler\n#define samplerCUBE sampler\n"  # those of shader model 3 have one name in strict mode
@@ -19,7 +19,7 @@ class Microsoft(Receiver):
 
     def install(self):
         apt("wine64", "wine", "g++-mingw-w64-x86-64-posix")
-        libraries = npm("webgpu@0.6.2") / "webgpu/dist/win32-x64"
+        libraries = npm(WEBGPU) / "webgpu/dist/win32-x64"
         self.place = cache() / "microsoft"
         self.place.mkdir(parents=True, exist_ok=True)
         self.environment = dict(os.environ, WINEPREFIX=str(self.place / "wine"), WINEDEBUG="-all", DISPLAY="")
@@ -78,7 +78,7 @@ class Fxc(Microsoft):
     old = {"ps_2_0": 64, "vs_2_0": 256, "ps_3_0": 512}  # and the arithmetic slots they have
 
     def version(self):
-        return "FXC of webgpu 0.6.2 (ps_5_0)"
+        return f"FXC of {WEBGPU_AS_READ} (ps_5_0)"
 
     def check(self):
         """Beside the whole texts in shader model 5: each function alone in 2 and 3, where it fits."""
@@ -132,4 +132,4 @@ class Dxc(Microsoft):
     profiles = {"lib_6_3": "SV_Target", "ps_6_0": "SV_Target"}
 
     def version(self):
-        return "DXC of webgpu 0.6.2 (lib_6_3, ps_6_0)"
+        return f"DXC of {WEBGPU_AS_READ} (lib_6_3, ps_6_0)"

@@ -13,6 +13,10 @@ import corpus
 
 registered = []
 
+# npm's package with Tint, and with Microsoft's FXC and DXC
+WEBGPU = "webgpu@0.6.2"
+WEBGPU_AS_READ = WEBGPU.replace("@", " ")
+
 
 class Skipped(Exception):
     """The receiver cannot be had here; the message says why."""
