@@ -1,8 +1,6 @@
 """HLSL by glslang's front end and by slangc; Slang by slangc."""
 from callers import statements
-from receiver import Receiver, Skipped, add, need, pip, run
-
-SLANGC = "slangtorch==1.3.22"
+from receiver import SLANGC, Receiver, Skipped, add, need, pip, run
 
 
 class Program(Receiver):

@@ -8,11 +8,11 @@ from pathlib import Path
 
 import corpus
 import receiver
-from receiver import Receiver, add, need, pip, run
+from receiver import SLANGC, Receiver, add, need, pip, run
 from wgsl import tint_says
 
 PROGRAMS = Path(__file__).parent / "programs"
-PACKAGES = ["materialx==1.39.5", "shadewire==0.3.0", "slangtorch==1.3.22"]
+PACKAGES = ["materialx==1.39.5", "shadewire==0.3.0", SLANGC]
 
 
 def flattened(text):

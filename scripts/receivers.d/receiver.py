@@ -17,6 +17,8 @@ registered = []
 WEBGPU = "webgpu@0.6.2"
 WEBGPU_AS_READ = WEBGPU.replace("@", " ")
 
+SLANGC = "slangtorch==1.3.22"  # PyPI's package with slangc
+
 
 class Skipped(Exception):
     """The receiver cannot be had here; the message says why."""
