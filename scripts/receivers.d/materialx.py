@@ -83,7 +83,7 @@ class MaterialX(Receiver):
         for file in files:
             texts.append(file.with_suffix(".osl"))
             texts[-1].write_text(file.read_text())
-        done = subprocess.run([self.bpy, PROGRAMS.parent / "oslc.py", *texts], capture_output=True, text=True)
+        done = subprocess.run([self.bpy, PROGRAMS / "oslc.py", *texts], capture_output=True, text=True)
         last = done.stdout.strip().splitlines()[-1:]
         return json.loads(last[0]) if done.returncode == 0 and last else [f"oslc.py: {done.stderr}"] * len(files)
 
