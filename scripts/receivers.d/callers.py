@@ -1,6 +1,11 @@
 """The calls of every function of a text, as statements that add what they return to harness_sum."""
 from receiver import functions
 
+# What stands for a table, by the type of the argument; in HLSL, global names.
+TABLES = {"string": '"table.exr"', "Texture2D": "harness_table", "SamplerState": "harness_filtering",
+          "sampler2D": "harness_table"}
+TABLE_OF_HLSL = "Texture2D harness_table;\nSamplerState harness_filtering;\n"
+
 
 def call(language, function, one, three, direction):
     """A call with these texts as arguments: a number, an RGB value, a direction."""
@@ -8,7 +13,7 @@ def call(language, function, one, three, direction):
     is_direction = {"osl": "vector"}.get(language)
     texts = []
     for kind in function.arguments:
-        texts.append(one if kind in ("float", "f32") else direction if kind == is_direction else three)
+        texts.append(one if kind in ("float", "f32") else direction if kind == is_direction else TABLES.get(kind, three))
     return f"{function.name}({', '.join(texts)})"
 
 

@@ -4,7 +4,8 @@ import os
 import shutil
 from pathlib import Path
 
-from callers import statements
+import corpus
+from callers import TABLE_OF_HLSL, call, statements
 from receiver import WEBGPU, WEBGPU_AS_READ, Receiver, Skipped, add, apt, cache, functions, install, locked, npm, run
 
 HERE = Path(__file__).parent
@@ -52,7 +53,7 @@ class Microsoft(Receiver):
         return results
 
     def program(self, text):
-        return (text + "\nfloat4 main(float3 harness_three : TEXCOORD0) : SEMANTIC {\n"
+        return (text + "\n" + TABLE_OF_HLSL + "float4 main(float3 harness_three : TEXCOORD0) : SEMANTIC {\n"
                 "    float harness_one = harness_three.x, harness_sum = 0.0;\n"
                 + statements("hlsl", text, direction="harness_three") +
                 "\n    return float4(harness_sum, 0.0, 0.0, 1.0);\n}\n")
@@ -95,10 +96,33 @@ class Fxc(Microsoft):
                 report["slots"][label(function)][profile] = slots
                 if message and not is_size(message):
                     report["failures"].append(f"{profile} {label(function)}: {message}")
+        said, table_slots = self.tables()
+        report["failures"] += said
         fits = {p: sum(1 for slots in report["slots"].values() if slots[p]) for p in self.old}
         report["note"] = "; " + ", ".join(f"{n} of {len(every)} fit {p}" for p, n in fits.items())
+        report["note"] += f"; {len(table_slots)} tables in {min(table_slots)} to {max(table_slots)} slots of ps_2_0"
+        report["files"] += len(corpus.TABLES)
         (cache() / "reports" / "hlsl_slots.json").write_text(json.dumps(report["slots"], indent=1))
         return report
+
+
+    def tables(self):
+        """The functions that read tables, in shader models 2 and 3, and one that must be refused: what is said against
+        them, and their slots in ps_2_0."""
+        texts = corpus.tables("cg")
+        texts["broken"] = texts["table_0_dielectric"].replace("float2(u,", "float2(unknown,")
+        all_of_them = []
+        for name, text in texts.items():
+            file = cache() / "programs" / self.name / f"{name}.cg.hlsl"
+            function = functions("hlsl", text)[0]
+            file.write_text(OLD_SAMPLERS + "sampler2D harness_table;\n" + text + table_entry(function))
+            all_of_them += [(profile, "main", file) for profile in ("ps_2_0", "ps_3_0")]
+        results = self.jobs(all_of_them)
+        said = [f"{profile} {file.stem}: {message}" for (profile, _, file), (message, _) in zip(all_of_them, results)
+                if message and file.stem != "broken.cg"]
+        if not all(message for message, _ in results[-2:]):
+            said.append("hlsl-fxc accepts a table's function with an unknown name")
+        return said, [slots for (_, slots) in results[:-2:2]]
 
 
 def is_size(message):
@@ -124,6 +148,13 @@ def entry(i, function):
     return (f"\nfloat4 ps_{i}({listed}) : COLOR {{\n{before}    return {colour};\n}}\n"
             f"\nvoid vs_{i}({listed}, float4 at : POSITION, out float4 to : POSITION, out float4 c : COLOR) {{\n"
             f"{before}    to = at;\n    c = {colour};\n}}\n")
+
+
+def table_entry(function):
+    """A pixel program that reads a table."""
+    value = call("hlsl", function, "harness_three.x", "harness_three", "harness_three")
+    colour = f"float4({value}, 1.0)" if function.result == "float3" else f"float4({value}, 0.0, 0.0, 1.0)"
+    return f"\nfloat4 main(float3 harness_three : TEXCOORD0) : COLOR {{\n    return {colour};\n}}\n"
 
 
 @add
