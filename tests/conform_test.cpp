@@ -186,6 +186,29 @@ TEST_F(conform, text_that_does_not_compile_is_refused_in_its_compiler_s_words) {
     const outcome wgsl = run("conform a.wgsl --function F --as schlick");
     if (wgsl.err.find("cannot be run here") != std::string::npos) GTEST_SKIP() << "skipped: " << wgsl.err;
     expect_refused("conform a.wgsl --function F --as schlick", {"fresnel: a.wgsl:3: ", "undeclared"});
+    write("b.wgsl", "fn F(f0: f32, u: f32) -> f32 {\n    return vec3f(f0 + u);\n}\n");
+    expect_refused("conform b.wgsl --function F --as schlick",
+                   {"fresnel: b.wgsl:1: ", "'F' is invalid: ", "does not match the declared return type"});
+}
+
+// scripts/setup installs one; FRESNEL_NAGA names another, which is called with the text and the file to write.
+TEST_F(conform, the_compiler_of_WGSL_is_found_or_named) {
+    write("a.wgsl",
+          "fn F(f0: f32, u: f32) -> f32 {\n    return f0 + (1.0 - f0) * pow(max(1.0 - u, 0.0), 5.0);\n}\n");
+    const std::string command = "conform a.wgsl --function F --as schlick";
+    const outcome missing = run(command, "FRESNEL_NAGA=nowhere ");
+    EXPECT_EQ(missing.code, 1);
+    for (const char* piece :
+         {"--lang wgsl: cannot be run here", "nowhere is not there", "scripts/setup", "FRESNEL_NAGA"})
+        EXPECT_NE(missing.err.find(piece), std::string::npos) << missing.err;
+
+    if (std::system("command -v fresnel-naga >/dev/null 2>&1") != 0)
+        GTEST_SKIP() << "skipped: no fresnel-naga";
+    EXPECT_EQ(run(command).code, 0) << run(command).err;
+    write("named", "#!/bin/sh\necho called >>called\nexec fresnel-naga \"$1\" \"$2\"\n");
+    ASSERT_EQ(std::system(("chmod +x '" + (folder / "work/named").string() + "'").c_str()), 0);
+    EXPECT_EQ(run(command, "FRESNEL_NAGA=./named ").code, 0);
+    EXPECT_EQ(read_text(folder / "work/called").substr(0, 7), "called\n");
 }
 
 // ---- parts ------------------------------------------------------------------------------------------------
@@ -264,6 +287,10 @@ TEST(conform_message, is_one_line_in_the_user_s_own_lines) {
         "a.hlsl:1: 'y' : unknown");
     EXPECT_EQ(compiler_message("a.glsl", "1\n", "0:9(5): error: no matching function\n"),
               "a.glsl: its end, or the call of its function: no matching function");
+    EXPECT_EQ(compiler_message(
+                  "a.wgsl", "1\n",
+                  "error: Function [0] 'F' is invalid\n  ┌─ wgsl:1:1\n  = An expression\n  = Not so\n"),
+              "a.wgsl:1: Function [0] 'F' is invalid: An expression: Not so");
     EXPECT_EQ(compiler_message("a.wgsl", "1\n", "\nsomething else\n"),
               "a.wgsl: its compiler refuses it: something else");
 }

@@ -414,6 +414,9 @@ const std::vector<receiver> receivers = {
     {"hlsl", "Texture2D x : register(t0);\nSamplerState s : register(s0);\n",
      "float4 main(float c : A) : SV_Target { return float4(float3(CALL(x, s, ARGS)), 1); }\n", "t.frag",
      "glslangValidator -D -V -S frag -e main t.frag"},
+    {"cg", "sampler2D x;\n",
+     "float4 main(float c : TEXCOORD0) : COLOR { return float4(float3(CALL(x, ARGS)), 1); }\n", "t.frag",
+     "glslangValidator -D -V -S frag -e main t.frag"},
     {"cuda",
      "struct float3 { float x, y, z; };\nstruct float4 { float x, y, z, w; };\n#define __device__\n"
      "typedef unsigned long long cudaTextureObject_t;\nfloat fminf(float, float), fmaxf(float, float), "
@@ -435,7 +438,7 @@ const std::vector<receiver> receivers = {
      "@fragment fn main(@location(0) c: f32) -> @location(0) vec4f { return vec4f(vec3f(CALL(x, s, ARGS)), "
      "1.0); "
      "}\n",
-     "t.wgsl", "tint t.wgsl -o o.wgsl"},
+     "t.wgsl", "fresnel-naga t.wgsl t.spv"},
 };
 
 std::string replaced(std::string text, const std::string& what, const std::string& with) {
@@ -543,7 +546,7 @@ double device_error(const test::texture_device& device, const lut& table) {
     std::vector<float> pairs;
     for (const float c : exact.cos_i)
         pairs.insert(pairs.end(), {c, by});
-    const std::string text = sampler_text(find_language("glsl"), table, {"read_table", "", ""});
+    const std::string text = sampler_text("glsl", table, {"read_table", "", ""});
     const std::vector<float> read =
         device.run(table, text, two ? "read_table(table_, by, cos_i)" : "read_table(table_, cos_i)", pairs);
     double most = 0;

@@ -171,19 +171,18 @@ void draw(const options& given, const emit::lut_subject& subject) {
 void bake_table(const options& given, const emit::lut_subject& subject) {
     const emit::lut_request wanted = request_of(given, subject);
     const bool array = wanted.format == emit::texel_format::c;
-    const emit::language& l = emit::find_language(!given.language.empty() ? given.language
-                                                  : array                 ? "c"
-                                                                          : "glsl");
+    const std::string language = !given.language.empty() ? given.language : array ? "c" : "glsl";
     const emit::lut_names names{given.name, made_by(given), array ? "" : given.out};
-    if (array != (l.id == "c"))
+    if (array != (emit::find_language(language).id == "c"))
         throw bad_input(
             fmt::format("--lang {} with --format {}: C reads the array of --format c, the other languages "
                         "textures",
-                        l.id, emit::to_string(wanted.format)));
+                        language, emit::to_string(wanted.format)));
     if (wanted.columns * wanted.rows > 20000 && isatty(STDERR_FILENO) != 0)
         fmt::print(stderr, "lut: measuring {} x {} texels\n", wanted.columns, wanted.rows);
     const emit::lut table = emit::bake(subject, wanted);
-    const std::string text = array ? emit::lut_header(table, names) : emit::sampler_text(l, table, names);
+    const std::string text =
+        array ? emit::lut_header(table, names) : emit::sampler_text(language, table, names);
     if (!given.out.empty()) write_file(given.out, array ? text : emit::lut_image(table, names));
     if (given.json) return print_json(to_json(table, text, given));
     if (!array || given.out.empty()) fmt::print("{}", text);
@@ -249,8 +248,10 @@ void add_lut(CLI::App& app) {
         ->required();
     add_table_options(*command, *given);
     command
-        ->add_option("--lang", given->language,
-                     "of the function: glsl, essl, hlsl, msl, wgsl, osl, cuda, slang or c (default glsl)")
+        ->add_option(
+            "--lang", given->language,
+            "of the function: glsl, essl, hlsl, cg (HLSL of shader models 2 and 3, and Cg), msl, wgsl, "
+            "osl, cuda, slang or c (default glsl)")
         ->type_name("L");
     command->add_option("--name", given->name, "name of the function")->type_name("N");
     command->add_option("--out", given->out, "write the table: .png, .exr or .h")->type_name("FILE");

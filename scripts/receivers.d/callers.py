@@ -1,6 +1,11 @@
 """The calls of every function of a text, as statements that add what they return to harness_sum."""
 from receiver import functions
 
+# What stands for a table, by the type of the argument; in HLSL, global names.
+TABLES = {"string": '"table.exr"', "Texture2D": "harness_table", "SamplerState": "harness_filtering",
+          "sampler2D": "harness_table"}
+TABLE_OF_HLSL = "Texture2D harness_table;\nSamplerState harness_filtering;\n"
+
 
 # the types of two numbers, whose components are x and y
 pairs = ("vec2", "vec2f", "float2", "fresnel_float2")
@@ -14,7 +19,7 @@ def call(language, function, one, three, direction):
     texts = []
     for kind in function.arguments:
         texts.append(one if kind in ("float", "f32") else pair if kind in pairs
-                     else direction if kind == is_direction else three)
+                     else direction if kind == is_direction else TABLES.get(kind, three))
     return f"{function.name}({', '.join(texts)})"
 
 

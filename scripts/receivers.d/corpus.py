@@ -22,6 +22,13 @@ SAMPLES = [
     "schlick --material gold --space acescg --name gold",
 ]
 
+# Tables, whose functions read textures; tests compile those of the other languages.
+TABLES = [
+    "dielectric --fix n_t=1.5", "gold", "dielectric --by eta --format rgba32f", "gold --format r8 --map cos",
+    "dielectric --fix n_i=1.5 --fix n_t=1",
+]
+TABLE_LANGUAGES = ["hlsl", "slang", "osl"]
+
 
 def build_folder():
     root = Path(__file__).resolve().parents[2]
@@ -36,11 +43,21 @@ def folder(language):
     return receiver.cache() / "corpus" / language
 
 
-def shader(arguments, language):
-    done = subprocess.run([command(), "shader", *arguments.split(), "--lang", language], capture_output=True, text=True)
+def printed(arguments, language):
+    done = subprocess.run([command(), *arguments.split(), "--lang", language], capture_output=True, text=True)
     if done.returncode != 0:
-        raise SystemExit(f"receivers: fresnel shader {arguments} --lang {language}: {done.stderr.strip()}")
+        raise SystemExit(f"receivers: fresnel {arguments} --lang {language}: {done.stderr.strip()}")
     return done.stdout
+
+
+def shader(arguments, language):
+    return printed(f"shader {arguments}", language)
+
+
+def tables(language):
+    """The functions that read tables, by name."""
+    return {f"table_{i}_{table.split()[0]}": printed(f"lut {table} --size 32", language)
+            for i, table in enumerate(TABLES)}
 
 
 def models():
@@ -57,6 +74,8 @@ def write_language(language, names):
         (into / f"model_{name}.{extension}").write_text(shader(name, language))
     for i, sample in enumerate(SAMPLES):
         (into / f"sample_{i:02}_{sample.split()[0]}.{extension}").write_text(shader(sample, language))
+    for name, text in (tables(language) if language in TABLE_LANGUAGES else {}).items():
+        (into / f"{name}.{extension}").write_text(text)
 
 
 def is_current():

@@ -1,18 +1,17 @@
 """HLSL by glslang's front end and by slangc; Slang by slangc."""
-from callers import statements
-from receiver import Receiver, Skipped, add, need, pip, run
-
-SLANGC = "slangtorch==1.3.22"
+from callers import TABLE_OF_HLSL, statements
+from receiver import SLANGC, Receiver, Skipped, add, need, pip, run
 
 
 class Program(Receiver):
     """A pixel shader that calls every function; the same text serves HLSL and Slang."""
 
     def program(self, text):
-        return (text + "\nfloat4 main(float3 harness_three : TEXCOORD0) : SV_Target {\n"
+        return (text + "\n" + TABLE_OF_HLSL + "float4 main(float3 harness_three : TEXCOORD0) : SV_Target {\n"
                 "    float harness_one = harness_three.x, harness_sum = 0.0;\n"
                 + statements(self.language, text, direction="harness_three") +
                 "\n    return float4(harness_sum, 0.0, 0.0, 1.0);\n}\n")
+
 
 @add
 class HlslGlslang(Program):
@@ -54,9 +53,10 @@ class Slangc(WithSlangc, Program):
 
     def texts(self):
         apart = super().texts()
-        alone = {name: text for name, text in apart.items() if name.startswith(("model_", "sample_"))}
+        alone = {name: text for name, text in apart.items() if name.startswith(("model_", "sample_", "table_"))}
         self.together = len(alone) - 1
-        together = "".join(f"namespace in_{name} {{\n{text}\n}}\n#undef FRESNEL_{self.language.upper()}_COMMON\n"
+        common = f"FRESNEL_{self.language.upper()}_COMMON"  # what each but a table's has in front
+        together = "".join(f"namespace in_{name} {{\n{text}\n}}\n" + f"#undef {common}\n" * (common in text)
                            for name, text in alone.items())
         return {"model_schlick": apart["model_schlick"], "alone": together} | {
             name: text for name, text in apart.items() if name not in alone}

@@ -8,10 +8,11 @@ from pathlib import Path
 
 import corpus
 import receiver
-from receiver import Receiver, add, need, pip, run
+from receiver import SLANGC, Receiver, add, need, pip, run
+from wgsl import tint_says
 
 PROGRAMS = Path(__file__).parent / "programs"
-PACKAGES = ["materialx==1.39.5", "shadewire==0.3.0", "slangtorch==1.3.22"]
+PACKAGES = ["materialx==1.39.5", "shadewire==0.3.0", SLANGC]
 
 
 def flattened(text):
@@ -31,6 +32,7 @@ class MaterialX(Receiver):
     def install(self):
         self.glslang = need("glslangValidator", "glslang-tools")
         self.spirv_val = need("spirv-val", "spirv-tools")
+        self.naga = need("fresnel-naga", "it")
         self.packages = pip("materialx", *PACKAGES, options=("--no-deps",))
         self.python = receiver.cache() / "materialx/bin/python"
         self.work = receiver.cache() / "materialx-work"
@@ -41,12 +43,10 @@ class MaterialX(Receiver):
         self.skipped = []
         if self.bpy is None:
             self.skipped.append("osl: no oslc, which ./test --receivers installs")
-        if not (shutil.which("naga") and shutil.which("tint")):
-            self.skipped.append("wgsl after SPIR-V: no naga and tint")
         self.skipped.append("msl: no Metal compiler")
 
     def version(self):
-        return "MaterialX 1.39.5 (glsl essl vulkan wgsl osl msl slang), glslang, slangc"
+        return "MaterialX 1.39.5 (glsl essl vulkan wgsl osl msl slang), glslang, naga, Tint, slangc"
 
     # ---- compilers of what is generated; each returns what was said against a file
 
@@ -65,11 +65,7 @@ class MaterialX(Receiver):
         flat = file.with_name("flat_" + file.name)
         flat.write_text(flattened(file.read_text()))
         wgsl = f"{flat}.wgsl"
-        if said := self.spirv(file) or self.spirv(flat):
-            return said
-        if not (shutil.which("naga") and shutil.which("tint")):
-            return ""
-        return self.said("naga", f"{flat}.spv", wgsl) or self.said("tint", wgsl, "-o", f"{flat}.out.wgsl")
+        return self.spirv(file) or self.spirv(flat) or self.said(self.naga, f"{flat}.spv", wgsl)
 
     def slang(self, file):
         stage = {"vert": "vertex", "frag": "fragment"}[file.suffix[1:]]
@@ -87,7 +83,7 @@ class MaterialX(Receiver):
         for file in files:
             texts.append(file.with_suffix(".osl"))
             texts[-1].write_text(file.read_text())
-        done = subprocess.run([self.bpy, PROGRAMS.parent / "oslc.py", *texts], capture_output=True, text=True)
+        done = subprocess.run([self.bpy, PROGRAMS / "oslc.py", *texts], capture_output=True, text=True)
         last = done.stdout.strip().splitlines()[-1:]
         return json.loads(last[0]) if done.returncode == 0 and last else [f"oslc.py: {done.stderr}"] * len(files)
 
@@ -101,6 +97,8 @@ class MaterialX(Receiver):
                 said = list(pool.map(compile_one, files))
             found += [f"{target}/{f.name}: {s}" for f, s in zip(files, said) if s]
             count += len(files)
+        written = sorted((out / "wgsl").glob("flat_*.wgsl"))
+        found += [f"wgsl/{f.name}: {s}" for f, s in zip(written, tint_says(written)) if s]
         if self.bpy:
             files = sorted((out / "osl").glob("*.frag"))
             found += [f"osl/{f.name}: {s}" for f, s in zip(files, self.osl(files)) if s]

@@ -4,8 +4,9 @@ import os
 import shutil
 from pathlib import Path
 
-from callers import statements
-from receiver import Receiver, Skipped, add, apt, cache, functions, install, locked, npm, run
+import corpus
+from callers import TABLE_OF_HLSL, call, statements
+from receiver import WEBGPU, WEBGPU_AS_READ, Receiver, Skipped, add, apt, cache, functions, install, locked, npm, run
 
 HERE = Path(__file__).parent
 OLD_SAMPLERS = "#define sampler2D sampler\n#define samplerCUBE sampler\n"  # those of shader model 3 have one name in strict mode
@@ -19,7 +20,7 @@ class Microsoft(Receiver):
 
     def install(self):
         apt("wine64", "wine", "g++-mingw-w64-x86-64-posix")
-        libraries = npm("webgpu@0.6.2") / "webgpu/dist/win32-x64"
+        libraries = npm(WEBGPU) / "webgpu/dist/win32-x64"
         self.place = cache() / "microsoft"
         self.place.mkdir(parents=True, exist_ok=True)
         self.environment = dict(os.environ, WINEPREFIX=str(self.place / "wine"), WINEDEBUG="-all", DISPLAY="")
@@ -52,7 +53,7 @@ class Microsoft(Receiver):
         return results
 
     def program(self, text):
-        return (text + "\nfloat4 main(float3 harness_three : TEXCOORD0) : SEMANTIC {\n"
+        return (text + "\n" + TABLE_OF_HLSL + "float4 main(float3 harness_three : TEXCOORD0) : SEMANTIC {\n"
                 "    float harness_one = harness_three.x, harness_sum = 0.0;\n"
                 + statements("hlsl", text, direction="harness_three") +
                 "\n    return float4(harness_sum, 0.0, 0.0, 1.0);\n}\n")
@@ -78,7 +79,7 @@ class Fxc(Microsoft):
     old = {"ps_2_0": 64, "vs_2_0": 256, "ps_3_0": 512}  # and the arithmetic slots they have
 
     def version(self):
-        return "FXC of webgpu 0.6.2 (ps_5_0)"
+        return f"FXC of {WEBGPU_AS_READ} (ps_5_0)"
 
     def check(self):
         """Beside the whole texts in shader model 5: each function alone in 2 and 3, where it fits."""
@@ -95,10 +96,33 @@ class Fxc(Microsoft):
                 report["slots"][label(function)][profile] = slots
                 if message and not is_size(message):
                     report["failures"].append(f"{profile} {label(function)}: {message}")
+        said, table_slots = self.tables()
+        report["failures"] += said
         fits = {p: sum(1 for slots in report["slots"].values() if slots[p]) for p in self.old}
         report["note"] = "; " + ", ".join(f"{n} of {len(every)} fit {p}" for p, n in fits.items())
+        report["note"] += f"; {len(table_slots)} tables in {min(table_slots)} to {max(table_slots)} slots of ps_2_0"
+        report["files"] += len(corpus.TABLES)
         (cache() / "reports" / "hlsl_slots.json").write_text(json.dumps(report["slots"], indent=1))
         return report
+
+
+    def tables(self):
+        """The functions that read tables, in shader models 2 and 3, and one that must be refused: what is said against
+        them, and their slots in ps_2_0."""
+        texts = corpus.tables("cg")
+        texts["broken"] = texts["table_0_dielectric"].replace("float2(u,", "float2(unknown,")
+        all_of_them = []
+        for name, text in texts.items():
+            file = cache() / "programs" / self.name / f"{name}.cg.hlsl"
+            function = functions("hlsl", text)[0]
+            file.write_text(OLD_SAMPLERS + "sampler2D harness_table;\n" + text + table_entry(function))
+            all_of_them += [(profile, "main", file) for profile in ("ps_2_0", "ps_3_0")]
+        results = self.jobs(all_of_them)
+        said = [f"{profile} {file.stem}: {message}" for (profile, _, file), (message, _) in zip(all_of_them, results)
+                if message and file.stem != "broken.cg"]
+        if not all(message for message, _ in results[-2:]):
+            said.append("hlsl-fxc accepts a table's function with an unknown name")
+        return said, [slots for (_, slots) in results[:-2:2]]
 
 
 def is_size(message):
@@ -126,10 +150,17 @@ def entry(i, function):
             f"{before}    to = at;\n    c = {colour};\n}}\n")
 
 
+def table_entry(function):
+    """A pixel program that reads a table."""
+    value = call("hlsl", function, "harness_three.x", "harness_three", "harness_three")
+    colour = f"float4({value}, 1.0)" if function.result == "float3" else f"float4({value}, 0.0, 0.0, 1.0)"
+    return f"\nfloat4 main(float3 harness_three : TEXCOORD0) : COLOR {{\n    return {colour};\n}}\n"
+
+
 @add
 class Dxc(Microsoft):
     name, which, library = "hlsl-dxc", "dxc", "dxcompiler.dll"
     profiles = {"lib_6_3": "SV_Target", "ps_6_0": "SV_Target"}
 
     def version(self):
-        return "DXC of webgpu 0.6.2 (lib_6_3, ps_6_0)"
+        return f"DXC of {WEBGPU_AS_READ} (lib_6_3, ps_6_0)"

@@ -31,7 +31,7 @@ class Oslc(Receiver):
                 "    float harness_sum = 0.0;\n" + statements("osl", text) + "\n    harness_out = color(harness_sum);\n}\n")
 
     def compile(self, files):
-        code, said = run([self.python, HERE / "oslc.py", *files], cwd=files[0].parent)
+        code, said = run([self.python, HERE / "programs" / "oslc.py", *files], cwd=files[0].parent)
         last = said.strip().splitlines()[-1] if said.strip() else ""
         if code != 0 or not last.startswith("["):
             raise SystemExit(f"receivers: oslc.py ended with {code}: {said[-500:]}")

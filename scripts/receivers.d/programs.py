@@ -6,7 +6,7 @@ from pathlib import Path
 import corpus
 from hlsl import WithSlangc
 from microsoft import OLD_SAMPLERS, Microsoft
-from receiver import Broken, Receiver, add, cache, run, shortened
+from receiver import WEBGPU_AS_READ, Broken, Receiver, add, cache, run, shortened
 
 TECHNIQUES = ["none", "one-minus-cos", "per-vertex", "per-pixel", "lut", "highlights", "semitransparent"]
 STUBS = Path(__file__).resolve().parents[2] / "tests" / "unity"
@@ -56,7 +56,7 @@ class ProgramsFxc(Programs, Microsoft):
               "cg": [("vs_3_0", "vertex_main"), ("ps_3_0", "fragment_main")]}
 
     def version(self):
-        return "FXC of webgpu 0.6.2 (vs/ps_5_0, vs/ps_3_0)"
+        return f"FXC of {WEBGPU_AS_READ} (vs/ps_5_0, vs/ps_3_0)"
 
     def compile_texts(self, texts, stages):
         files = self.write(texts, ".hlsl")
@@ -133,7 +133,7 @@ class UnityFxc(ProgramsFxc):
     entries = [("vs_5_0", "surface_vertex"), ("ps_5_0", "surface_fragment")]
 
     def version(self):
-        return "FXC of webgpu 0.6.2 (vs_5_0, ps_5_0)"
+        return f"FXC of {WEBGPU_AS_READ} (vs_5_0, ps_5_0)"
 
     def check(self):
         folder = cache() / "programs" / "unity"

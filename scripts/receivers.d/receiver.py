@@ -13,6 +13,12 @@ import corpus
 
 registered = []
 
+# npm's package with Tint, and with Microsoft's FXC and DXC
+WEBGPU = "webgpu@0.6.2"
+WEBGPU_AS_READ = WEBGPU.replace("@", " ")
+
+SLANGC = "slangtorch==1.3.22"  # PyPI's package with slangc
+
 
 class Skipped(Exception):
     """The receiver cannot be had here; the message says why."""

@@ -3,7 +3,7 @@ import json
 from pathlib import Path
 
 from callers import statements
-from receiver import Receiver, add, need, npm, run
+from receiver import WEBGPU, WEBGPU_AS_READ, Receiver, add, need, npm, run
 
 HERE = Path(__file__).parent
 
@@ -17,13 +17,14 @@ class Wgsl(Receiver):
                 + statements(self.language, text, direction="harness_three") +
                 "\n    return vec4f(harness_sum);\n}\n")
 
-    def node(self, script, files):
-        """A message for each file, as a script of ours prints them: one list."""
-        code, said = run(["node", HERE / script, self.modules, *files])
-        last = said.strip().splitlines()[-1] if said.strip() else ""
-        if code != 0 or not last.startswith("["):
-            return [f"{script} ended with {code}: {said}"] * len(files)
-        return json.loads(last)
+
+def tint_says(files):
+    """A message for each file, as a script of ours prints them: one list."""
+    code, said = run(["node", HERE / "tint.mjs", npm(WEBGPU), *files])
+    last = said.strip().splitlines()[-1] if said.strip() else ""
+    if code != 0 or not last.startswith("["):
+        return [f"tint.mjs ended with {code}: {said}"] * len(files)
+    return json.loads(last)
 
 
 @add
@@ -31,13 +32,13 @@ class Tint(Wgsl):
     name = "wgsl-tint"
 
     def install(self):
-        self.modules = npm("webgpu@0.6.2")
+        npm(WEBGPU)
 
     def version(self):
-        return "Tint of webgpu 0.6.2"
+        return f"Tint of {WEBGPU_AS_READ}"
 
     def compile(self, files):
-        return self.node("tint.mjs", files)
+        return tint_says(files)
 
 
 @add
@@ -45,16 +46,14 @@ class Naga(Wgsl):
     name = "wgsl-naga"
 
     def install(self):
-        self.modules = npm("wgsl-wasm-transpiler-bundler@0.0.1")
+        self.naga = need("fresnel-naga", "it")
         self.spirv_val = need("spirv-val", "spirv-tools")
 
     def version(self):
-        return "naga 25.0.1 (to SPIR-V), spirv-val"
+        return f"naga {run([self.naga, '--version'])[1].strip()} (to SPIR-V), spirv-val"
 
-    def compile(self, files):
-        messages = self.node("naga.mjs", files)
-        for i, file in enumerate(files):
-            if not messages[i]:
-                code, said = run([self.spirv_val, f"{file}.spv"])
-                messages[i] = said if code else ""
-        return messages
+    def compile_one(self, file):
+        code, said = run([self.naga, file, f"{file}.spv"])
+        if code == 0:
+            code, said = run([self.spirv_val, f"{file}.spv"])
+        return said if code else ""

@@ -53,14 +53,19 @@ std::optional<remark> by_glslang(std::string_view line) {
     return remark{*number, std::string(trimmed(line.substr(end + 2)))};
 }
 
-// "error: no definition in scope for identifier: `foo`" and, on a later line, "wgsl:3:12" or "shader.wgsl:3:12"
+// "error: no definition in scope for identifier: `foo`" and, on a later line, "wgsl:3:12" or "shader.wgsl:3:12"; its
+// validator adds why, on lines that begin with "=".
 std::optional<remark> by_naga(std::string_view said) {
     const std::size_t error = said.find("error: "), place = said.find("wgsl:");
     if (error == std::string_view::npos || place == std::string_view::npos) return std::nullopt;
     const auto number = number_at(said, place + 5);
     if (!number) return std::nullopt;
     const std::string_view rest = said.substr(error + 7);
-    return remark{*number, std::string(trimmed(rest.substr(0, rest.find('\n'))))};
+    std::string text(trimmed(rest.substr(0, rest.find('\n'))));
+    for (std::size_t why = rest.find("\n  = "); why != std::string_view::npos;
+         why = rest.find("\n  = ", why + 1))
+        text += fmt::format(": {}", trimmed(rest.substr(why + 5, rest.find('\n', why + 1) - why - 5)));
+    return remark{*number, text};
 }
 
 std::optional<remark> first_remark(std::string_view said) {

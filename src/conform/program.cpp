@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
+
 namespace fresnel::conform {
 
 namespace {
@@ -72,17 +74,26 @@ private:
 
 // ---- HLSL and WGSL, by SPIR-V -----------------------------------------------------------------------------
 
-/// What makes SPIR-V of a language: the words of its command line before and after the two files.
+/// What makes SPIR-V of a language.
 struct compiler {
-    std::string tool, package;
-    std::vector<std::string> before, between;
+    std::string tool;
+    std::vector<std::string> options; ///< before the two files
+    bool output_first;
+    std::string remedy; ///< where there is no such tool
 };
 
-const compiler& compiler_of(std::string_view language) {
-    static const compiler hlsl{
-        "glslangValidator", "glslang-tools", {"-D", "-V", "-S", "comp", "-e", "main", "-o"}, {}};
-    static const compiler wgsl{"naga", "the crate naga-cli", {}, {}};
-    return language == "hlsl" ? hlsl : wgsl;
+std::string naga() {
+    if (const char* named = std::getenv("FRESNEL_NAGA")) return named;
+    return !has_tool("fresnel-naga") && has_tool("naga") ? "naga" : "fresnel-naga";
+}
+
+compiler compiler_of(std::string_view language) {
+    if (language == "hlsl")
+        return {"glslangValidator",
+                {"-D", "-V", "-S", "comp", "-e", "main", "-o"},
+                true,
+                "install glslang-tools"};
+    return {naga(), {}, false, "run scripts/setup, or name the naga of the crate naga-cli in FRESNEL_NAGA"};
 }
 
 class spirv_runner final : public shader_runner {
@@ -100,8 +111,7 @@ public:
 
 private:
     static std::unique_ptr<render::compute_device> open(const compiler& c) {
-        if (!has_tool(c.tool))
-            throw render::no_device(fmt::format("{} is not there; install {}", c.tool, c.package));
+        if (!has_tool(c.tool)) throw render::no_device(fmt::format("{} is not there; {}", c.tool, c.remedy));
         return render::open_vulkan();
     }
 
@@ -111,11 +121,9 @@ private:
         const std::string out = (scratch.path / "shader.spv").string();
         write_file(in, source);
         std::vector<std::string> line = {compiler_.tool};
-        line.insert(line.end(), compiler_.before.begin(), compiler_.before.end());
-        if (language_ == "hlsl")
-            line.insert(line.end(), {out, in});
-        else
-            line.insert(line.end(), {in, out});
+        line.insert(line.end(), compiler_.options.begin(), compiler_.options.end());
+        line.push_back(compiler_.output_first ? out : in);
+        line.push_back(compiler_.output_first ? in : out);
         const tool_end end = run_tool(line);
         if (end.status != 0) throw render::refused_shader(without(end.said, scratch.path.string() + "/"));
         return read_file(out);
@@ -128,7 +136,7 @@ private:
     }
 
     std::string language_;
-    const compiler& compiler_;
+    compiler compiler_;
     std::unique_ptr<render::compute_device> device_;
 };
 

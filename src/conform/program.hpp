@@ -35,7 +35,8 @@ public:
     virtual std::vector<float> run(const program& p, std::span<const float> inputs) = 0;
 };
 
-/// GLSL in OpenGL, HLSL by glslang and WGSL by naga in Vulkan. Throws render::no_device with the reason where the
+/// GLSL in OpenGL, HLSL by glslang and WGSL by naga in Vulkan: by the program that FRESNEL_NAGA names, else by
+/// fresnel-naga, which scripts/setup installs, else by naga. Throws render::no_device with the reason where the
 /// device or the compiler is not there.
 std::unique_ptr<shader_runner> open_runner(std::string_view language);
 

@@ -62,6 +62,7 @@ tool_end run_tool(const std::vector<std::string>& line) {
 }
 
 bool has_tool(const std::string& name) {
+    if (name.find('/') != std::string::npos) return access(name.c_str(), X_OK) == 0;
     const char* path = std::getenv("PATH");
     std::string_view rest = path != nullptr ? path : "";
     while (!rest.empty()) {

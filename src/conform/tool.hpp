@@ -26,7 +26,7 @@ struct tool_end {
 /// Runs a program found on PATH, with those arguments. Throws failure if it cannot be started.
 tool_end run_tool(const std::vector<std::string>& line);
 
-/// Whether such a program is on PATH.
+/// Whether such a program is on PATH, or is that file.
 bool has_tool(const std::string& name);
 
 std::string read_file(const std::filesystem::path& path);

@@ -10,7 +10,8 @@ namespace fresnel::emit {
 
 namespace {
 
-/// How a language reads a texture at coordinates without derivatives, so that it works in every stage and branch.
+/// How a language reads a texture at coordinates without derivatives, so that it works in every stage and branch. Pixel
+/// programs of shader model 2 can only read with them; they have no branches.
 struct texture_style {
     std::string_view language;
     std::string_view parameters; ///< what the function takes before the numbers
@@ -22,6 +23,7 @@ constexpr std::array texture_styles = {
     texture_style{"essl", "sampler2D table", "textureLod(table, vec2({}, {}), 0.0)"},
     texture_style{"hlsl", "Texture2D table, SamplerState filtering",
                   "table.SampleLevel(filtering, float2({}, {}), 0.0)"},
+    texture_style{"cg", "sampler2D table", "tex2D(table, float2({}, {}))"},
     texture_style{"slang", "Texture2D table, SamplerState filtering",
                   "table.SampleLevel(filtering, float2({}, {}), 0.0)"},
     texture_style{"msl", "texture2d<float> table, sampler filtering",
@@ -37,10 +39,11 @@ constexpr std::string_view cuda_head = "#pragma once\n\n#ifdef __HIPCC__\n#inclu
                                        "typedef hipTextureObject_t fresnel_table;\n#else\n"
                                        "typedef cudaTextureObject_t fresnel_table;\n#endif\n\n";
 
-const texture_style& style_of(const language& l) {
+const texture_style& find_style(std::string_view id) {
     for (const texture_style& s : texture_styles)
-        if (s.language == l.id) return s;
-    throw bad_input(fmt::format("--lang {}: reads no texture; use --format c", l.id));
+        if (s.language == id) return s;
+    if (id == "hip") return find_style("cuda");
+    throw bad_input(fmt::format("--lang {}: reads no texture; use --format c", id));
 }
 
 // ---- comments -----------------------------------------------------------------------------------------------
@@ -169,12 +172,14 @@ private:
     std::string text_;
 };
 
-std::string signature(const language& l, const lut& table, const std::string& name) {
+// `parameters` is what the function takes before the numbers.
+std::string signature(const language& l, std::string_view parameters, const lut& table,
+                      const std::string& name) {
     const auto number = [&](std::string_view argument) {
         const std::string own = legal_name(l, argument);
         return l.typed_names ? fmt::format("{}: {}", own, l.scalar) : fmt::format("{} {}", l.scalar, own);
     };
-    std::string list(l.id == "c" ? "" : style_of(l).parameters);
+    std::string list(parameters);
     if (table.subject.by) list += (list.empty() ? "" : ", ") + number(table.subject.by->name);
     list += (list.empty() ? "" : ", ") + number("cos_i");
     if (l.id == "c" && table.channels() == 3)
@@ -200,10 +205,11 @@ std::string scaling(const body& b, const lut& table) {
     return text;
 }
 
-void return_texel(body& b, const language& l, const lut& table, const std::string& u, const std::string& v) {
+void return_texel(body& b, const language& l, const texture_style& style, const lut& table,
+                  const std::string& u, const std::string& v) {
     const bool rgb = table.channels() == 3, wide = rgb || table.format == texel_format::rgba32f;
     const std::string scale = table.scaled() ? scaling(b, table) : "";
-    const std::string read = fmt::format(fmt::runtime(style_of(l).read), u, v, wide ? "float4" : "float");
+    const std::string read = fmt::format(fmt::runtime(style.read), u, v, wide ? "float4" : "float");
     if (l.id == "osl") {
         const std::string F = b.let("F", read, rgb ? "color" : "float");
         return b.line(fmt::format("return {}{};", F, scale));
@@ -276,21 +282,23 @@ std::string error_text(const lut& table) {
     return fmt::format("max {} at {}, rms {} even in angle", rounded(e.max), where, rounded(e.rms));
 }
 
-std::string sampler_text(const language& l, const lut& table, const lut_names& names) {
+std::string sampler_text(std::string_view id, const lut& table, const lut_names& names) {
+    const language& l = find_language(id);
     const std::string name = function_name(l, table, names);
     if (l.id == "c" || table.format == texel_format::c)
         throw bad_input(fmt::format("--lang {} with --format {}: C reads the array of --format c, the other "
                                     "languages read textures",
                                     l.id, to_string(table.format)));
+    const texture_style& style = find_style(id);
     body b(l);
     const std::string t = b.column_coordinate(table);
     std::string v = b.number(0.5);
     if (table.subject.by) v = b.row_coordinate(*table.subject.by);
     const std::string u = b.let("u", texel_coordinate(b, t, table.columns));
     if (table.subject.by) v = b.let("v", texel_coordinate(b, v, table.rows));
-    return_texel(b, l, table, u, v);
+    return_texel(b, l, style, table, u, v);
     return std::string(l.id == "cuda" ? cuda_head : "") + comment_block(texture_lines(table, names)) +
-           signature(l, table, name) + " {\n" + b.text() + "}\n";
+           signature(l, style.parameters, table, name) + " {\n" + b.text() + "}\n";
 }
 
 std::string lut_header(const lut& table, const lut_names& names) {
@@ -310,7 +318,7 @@ std::string lut_header(const lut& table, const lut_names& names) {
     if (table.channels() == 3) lines.push_back(fmt::format("{:<9} the colour", "rgb"));
     add_error(lines, table);
     return fmt::format("#ifndef {0}_H\n#define {0}_H\n\n#include <math.h>\n\n", guard) +
-           array_text(l, table, array) + comment_block(lines) + signature(l, table, name) + " {\n" +
+           array_text(l, table, array) + comment_block(lines) + signature(l, "", table, name) + " {\n" +
            b.text() + "}\n\n#endif\n";
 }
 

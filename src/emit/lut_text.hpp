@@ -15,8 +15,9 @@ struct lut_names {
 };
 
 /// The function that reads the table, with a comment of what the table holds, how it must be bound, and its error.
-/// C99 is `lut_header`'s and refused here.
-std::string sampler_text(const language& l, const lut& table, const lut_names& names);
+/// `id` is a language's, or cg: HLSL with the samplers of shader models 2 and 3, and of Cg. C99 is `lut_header`'s and
+/// refused here.
+std::string sampler_text(std::string_view id, const lut& table, const lut_names& names);
 
 /// A C99 header: the table as an array and the function that interpolates it.
 std::string lut_header(const lut& table, const lut_names& names);
