@@ -323,7 +323,7 @@ TEST(printer, writes_a_call_once_and_its_pair_where_it_is_used) {
     const twofold<sym> p = let("p", two_product(a, b));
     const twofold<sym> s = let("s", p - twofold<sym>{sym(1), sym(0)}, "a b - 1");
     f.results = {{"R", (s.hi + s.lo * p.hi).node()}};
-    emit::simplify(f);
+    simplify(f);
     const auto body = [&](std::string_view language) {
         const std::string text = emit::print(emit::find_language(language), f);
         return text.substr(text.find("{\n") + 2);

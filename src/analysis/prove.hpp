@@ -16,9 +16,9 @@ struct certified {
 /// What is certain of a model's error over its stated domain.
 struct certificate {
     std::string model, domain;
-    certified absolute;                             ///< largest |model - exact|
-    std::optional<certified> relative;              ///< largest |model - exact| / exact
-    bool unbounded_near_match = false;              ///< whether that exceeds every bound as eta goes to 1; proved
+    certified absolute;                ///< largest |model - exact|
+    std::optional<certified> relative; ///< largest |model - exact| / exact
+    bool unbounded_near_match = false; ///< whether that exceeds every bound as eta goes to 1; proved
     std::vector<std::pair<std::string, double>> at; ///< where the largest |model - exact| is
     std::string material;                           ///< of fitted models: which metal, at which wavelength
     double rounding_float32;                        ///< largest |float32 model - real model| found

@@ -4,8 +4,8 @@
 #include "analysis/compare.hpp"
 #include "analysis/curve.hpp"
 #include "analysis/fit.hpp"
-#include "analysis/metalness.hpp"
 #include "analysis/graph.hpp"
+#include "analysis/metalness.hpp"
 #include "materials/catalog.hpp"
 #include "materials/observer.hpp"
 
