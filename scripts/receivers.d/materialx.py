@@ -166,7 +166,7 @@ class MaterialX(Receiver):
             'name="tint" type="vector2" interfacename')
         if self.bpy:
             yield "an unknown name, in OSL", *copy(
-                "osl", f"{library}/genosl/mx_fresnel_schlick.osl", "float m = 1.0 - cos_i", "float m = 1.0 - cos_j")
+                "osl", f"{library}/genosl/mx_fresnel_schlick.osl", "float x = 1.0 - cos_i", "float x = 1.0 - cos_j")
 
     def accepted(self, pack):
         """Faults that were not seen, and how many there are."""
