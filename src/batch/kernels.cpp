@@ -16,7 +16,11 @@ using single = batch<float, FRESNEL_ISA_LANES>;
 
 /// The models of few operations keep within the registers; of the exact ones more batches side by side are faster.
 template <bool exact>
-using several = wide<single, exact ? FRESNEL_ISA_EXACT_BATCHES : FRESNEL_ISA_BATCHES>;
+constexpr int side_by_side = FRESNEL_ISA_BATCHES;
+template <>
+constexpr int side_by_side<true> = FRESNEL_ISA_EXACT_BATCHES;
+template <bool exact>
+using several = wide<single, side_by_side<exact>>;
 static_assert(FRESNEL_ISA_EXACT_BATCHES % FRESNEL_ISA_BATCHES == 0);
 
 /// Runs f(inputs, outputs) over the arrays of a call, a value at a time.
