@@ -2,6 +2,7 @@
 import csv
 import io
 import json
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -37,11 +38,13 @@ def python_of_bpy():
 def adapted(case, pack):
     """The text of a MaterialX node of the case's model, and a function of the model's own name that calls it."""
     kind = "color3" if case["results"] == 3 else "float"
-    source = Path(pack) / "libraries/fresnel/genosl" / f"mx_fresnel_{case['name']}.osl"
+    folder = Path(pack) / "libraries/fresnel/genosl"
+    source = re.sub(r'#include "(lib/fresnel_[a-z]+\.osl)"', lambda include: (folder / include[1]).read_text(),
+                    (folder / f"mx_fresnel_{case['name']}.osl").read_text())
     words = {1: "float", 3: "color"}
     names = [a["name"] for a in case["arguments"]]
     given = ", ".join(f"{words[a['width']]} {a['name']}" for a in case["arguments"])
-    return (f"{source.read_text()}\n{words[case['results']]} {case['call']['osl'].split('(')[0]}({given}) {{\n"
+    return (f"{source}\n{words[case['results']]} {case['call']['osl'].split('(')[0]}({given}) {{\n"
             f"    {words[case['results']]} result = 0.0;\n"
             f"    mx_fresnel_{case['name']}_cos_{kind}({', '.join(names)}, result);\n    return result;\n}}\n")
 
