@@ -3,6 +3,8 @@
 
 #include "units.hpp"
 
+#include "batch/kernels.hpp"
+
 #include <fresnel/models.hpp>
 #include <fresnel/types/wide.hpp>
 
@@ -66,7 +68,7 @@ using block = wide<value, FRESNEL_ISA_BATCHES>;
 
 template <int inputs>
 [[gnu::flatten]] void stream_of(const float* const* in, float* out, std::size_t count) {
-    const bool past_caches = count >= std::size_t{1} << 22; // as the kernels do
+    const bool past_caches = count >= values_past_caches;
     for (std::size_t i = 0; i < count; i += block::size) {
         block sum = block::load(in[0] + i);
         for (int k = 1; k < inputs; ++k)
@@ -76,7 +78,7 @@ template <int inputs>
         else
             sum.store(out + i);
     }
-    lanes::fence();
+    if (past_caches) lanes::fence();
 }
 
 void stream(const float* const* in, int input_count, float* out, std::size_t count) {

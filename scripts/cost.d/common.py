@@ -1,4 +1,5 @@
 """What the compilers of scripts/cost share: the models' texts, programs around them, rows of the table."""
+import functools
 import json
 import os
 import subprocess
@@ -26,6 +27,7 @@ def folder():
     return place
 
 
+@functools.cache
 def models():
     return json.loads(run([COMMAND, "models", "--json"]))
 

@@ -11,7 +11,7 @@ from common import folder, models, row, run, statements, subject
 TIMES = 8  # as many as have room in the varyings of OpenGL ES 3
 NEEDED = ["dpkg-dev", "gcc", "g++", "meson", "ninja-build", "pkg-config", "python3-mako", "bison", "flex", "libdrm-dev",
           "libelf-dev", "libexpat1-dev", "libpciaccess-dev", "zlib1g-dev"]
-SOURCE = "deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] http://deb.debian.org/debian bookworm main\n"
+KEYS = "/usr/share/keyrings/debian-archive-keyring.gpg"
 OPTIONS = """buildtype=release libdir=lib tools=drm-shim,intel gallium-drivers=panfrost,freedreno,v3d,iris vulkan-drivers=
     platforms= glx=disabled egl=enabled gbm=enabled gles2=enabled llvm=disabled glvnd=false gallium-va=disabled
     gallium-vdpau=disabled video-codecs=""".split()
@@ -52,12 +52,18 @@ def place():
     return receiver.cache() / "mesa"
 
 
+def source_list():
+    """The places that this machine has Debian's packages from, as those of their sources."""
+    known = run(["apt-get", "indextargets", "--format", "$(REPO_URI) $(RELEASE) $(COMPONENT)", "Created-By: Packages"])
+    return "".join(f"deb-src [signed-by={KEYS}] {place}\n" for place in sorted(set(known.splitlines())))
+
+
 def fetch():
     """Debian's source package, by a list and an index of its own; returns its folder."""
     here = place()
     if not list(here.glob("mesa-*/meson.build")):
         (here / "lists" / "partial").mkdir(parents=True, exist_ok=True)
-        (here / "sources.list").write_text(SOURCE)
+        (here / "sources.list").write_text(source_list())
         apt = ["apt-get", "-qq", "-oAPT::Sandbox::User=root", f"-oDir::Cache={here}", f"-oDir::State::lists={here}/lists",
                f"-oDir::Etc::sourcelist={here}/sources.list", "-oDir::Etc::sourceparts=-"]
         receiver.install([*apt, "update"], "the list of Debian's source packages")

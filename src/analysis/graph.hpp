@@ -32,6 +32,15 @@ void simplify(recorded& f);
 /// The nodes that the results need: needed[node].
 std::vector<bool> needed_nodes(const recorded& f);
 
+/// Whether the results need a node that is so.
+template <class Predicate>
+bool needs_any(const recorded& f, Predicate is_so) {
+    const std::vector<bool> needed = needed_nodes(f);
+    for (std::uint32_t i = 0; i < f.graph.size(); ++i)
+        if (needed[i] && is_so(f.graph[i])) return true;
+    return false;
+}
+
 /// The reflectance for unpolarised light.
 sym reflectance(const model_row<sym>& row, const std::vector<sym>& parameters, sym cos_i);
 

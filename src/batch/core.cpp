@@ -153,9 +153,6 @@ refusal make_job(quantity wanted, const batch_model& model, const instruction_se
 
 namespace {
 
-/// From so many on (16 MiB), results would drive everything else out of the caches, and themselves.
-constexpr std::size_t values_past_caches = std::size_t{1} << 22;
-
 /// One batch's worth of floats, for values that have to be repeated or cut off.
 struct lane_buffer {
     float lane[most_lanes];

@@ -26,6 +26,7 @@ static_assert(FRESNEL_ISA_EXACT_BATCHES % FRESNEL_ISA_BATCHES == 0);
 /// Runs f(inputs, outputs) over the arrays of a call, a value at a time.
 template <class value, int inputs, int outputs, class F>
 FRESNEL_INLINE void run(const kernel_call& call, F f) {
+    const bool past_caches = call.past_caches; // of its own: a store to an output might be one to `call`
     const float* in[inputs];
     std::size_t steps[inputs];
     float* out[outputs];
@@ -42,12 +43,12 @@ FRESNEL_INLINE void run(const kernel_call& call, F f) {
         }
         f(x, y);
         for (int k = 0; k < outputs; ++k)
-            if (call.past_caches)
+            if (past_caches)
                 y[k].store_past_caches(out[k] + i);
             else
                 y[k].store(out[k] + i);
     }
-    if (call.past_caches) lanes::fence();
+    if (past_caches) lanes::fence();
 }
 
 /// The model in row i of the registry on `value`, a number type of several lanes.

@@ -10,6 +10,9 @@ namespace fresnel {
 /// The most values that any instruction set computes at a time.
 inline constexpr int most_lanes = 64;
 
+/// From so many on (16 MiB), results would drive everything else out of the caches, and themselves.
+inline constexpr std::size_t values_past_caches = std::size_t{1} << 22;
+
 /// Arrays that a kernel reads and writes. An input with step 0 gives the same values again and again, any other the
 /// next ones. An output may be an input's array itself, but must not overlap one otherwise.
 struct kernel_call {

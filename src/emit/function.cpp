@@ -13,8 +13,6 @@ namespace {
 
 std::string meaning_of(const parameter& p) { return fmt::format("{}, [{}, {}]", p.meaning, p.min, p.max); }
 
-constexpr std::string_view angle_meaning = "cosine of incidence, [0, 1]";
-
 void check_fixed(const model_row<double>& row, const request& wanted) {
     for (const auto& [name, values] : wanted.fixed) {
         const parameter* found = nullptr;
@@ -102,10 +100,6 @@ void record_row(const model_row<sym>& row, function& f, const request& wanted) {
     f.results = {{"R", rgb ? widened(R, 3).node() : R.node()}};
 }
 
-} // namespace
-
-namespace {
-
 // A call of three at once, for channel c: `now` has the node of each channel that a node became.
 void note_channel(const function& f, const function_call& call, const std::vector<bool>& needed,
                   const std::vector<std::array<std::uint32_t, 3>>& now, std::size_t c, function& split) {
@@ -166,10 +160,7 @@ function scalarized(const function& f, std::string (*component)(std::string_view
 }
 
 bool calls_twofold(const function& f) {
-    const std::vector<bool> needed = needed_nodes(f);
-    for (std::uint32_t i = 0; i < f.graph.size(); ++i)
-        if (needed[i] && f.graph.call_of(i) != nullptr) return true;
-    return false;
+    return needs_any(f, [](const expression& x) { return x.call != 0; });
 }
 
 function record(std::string_view model, const request& wanted) {

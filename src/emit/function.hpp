@@ -16,6 +16,8 @@ struct argument {
     std::string meaning; ///< what stands after the name in the text's comment: what it is, its domain
 };
 
+inline constexpr std::string_view angle_meaning = "cosine of incidence, [0, 1]";
+
 /// A function of this library as a graph, ready to be printed in any language. Its results are the reflectance alone, or
 /// R_s, R_p, T_s and T_p, or the two of a twofold.
 struct function : recorded {

@@ -11,8 +11,6 @@ namespace fresnel::emit {
 
 namespace {
 
-constexpr std::string_view angle_meaning = "cosine of incidence, [0, 1]";
-
 // A function that is not of the registry: its arguments are declared, then `body` makes its value of them.
 template <class Body>
 function record_helper(std::string_view name, std::vector<argument> arguments,

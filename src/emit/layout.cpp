@@ -23,11 +23,10 @@ std::size_t line_break(std::string_view line, std::size_t from, std::size_t long
 }
 
 std::string wrapped(std::string line) {
-    constexpr std::size_t longest = 110;
     const std::size_t indent = line.find_first_not_of(' ');
     std::string text;
-    while (line.size() > longest) {
-        const std::size_t at = line_break(line, indent + 24, longest);
+    while (line.size() > longest_line) {
+        const std::size_t at = line_break(line, indent + 24, longest_line);
         if (at == std::string::npos) break;
         text += line.substr(0, at - 1) + "\n";
         line = std::string(indent + 8, ' ') + line.substr(at);

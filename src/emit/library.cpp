@@ -24,8 +24,7 @@ std::string returning(const language& l, const std::string& value) {
 
 // The same text with a line for each part, where one line for all is too long.
 std::string below_each_other(std::string text, const std::vector<std::string>& parts) {
-    constexpr std::size_t longest = 110;
-    if (text.find('\n') <= longest) return text;
+    if (text.find('\n') <= longest_line) return text;
     const std::string indent(text.find(parts.front()), ' ');
     for (std::size_t i = 1; i < parts.size(); ++i)
         text.replace(text.find(", " + parts[i]), 2, ",\n" + indent);
@@ -67,10 +66,7 @@ std::string by_directions(const language& l, const function& f) {
 }
 
 bool compares(const function& f) {
-    const std::vector<bool> needed = needed_nodes(f);
-    for (std::uint32_t i = 0; i < f.graph.size(); ++i)
-        if (needed[i] && f.graph[i].op == operation::choose) return true;
-    return false;
+    return needs_any(f, [](const expression& x) { return x.op == operation::choose; });
 }
 
 std::string rename(std::string text, const std::string& from, const std::string& to) {

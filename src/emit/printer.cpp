@@ -257,27 +257,18 @@ private:
 
 // Whether a choice or a comparison is made for three values at once.
 bool has_triple_mask(const function& f) {
-    const std::vector<bool> needed = needed_nodes(f);
-    for (std::uint32_t i = 0; i < f.graph.size(); ++i)
-        if (needed[i] && f.graph[i].width == 3 &&
-            (f.graph[i].op == operation::less || f.graph[i].op == operation::less_equal))
-            return true;
-    return false;
+    return needs_any(f, [](const expression& x) {
+        return x.width == 3 && (x.op == operation::less || x.op == operation::less_equal);
+    });
 }
 
 // Whether a function of two numbers is called for three values at once.
 bool calls_for_triples(const function& f) {
-    const std::vector<bool> needed = needed_nodes(f);
-    for (std::uint32_t i = 0; i < f.graph.size(); ++i)
-        if (needed[i] && f.graph[i].width == 3 && f.graph[i].call != 0) return true;
-    return false;
+    return needs_any(f, [](const expression& x) { return x.width == 3 && x.call != 0; });
 }
 
 bool has_triple(const function& f) {
-    const std::vector<bool> needed = needed_nodes(f);
-    for (std::uint32_t i = 0; i < f.graph.size(); ++i)
-        if (needed[i] && f.graph[i].width == 3) return true;
-    return false;
+    return needs_any(f, [](const expression& x) { return x.width == 3; });
 }
 
 std::string declared(const language& l, const function& f, const argument& a) {

@@ -23,14 +23,10 @@ static_assert(std::endian::native == std::endian::little, "the dump is little-en
 // ---- cases ------------------------------------------------------------------------------------------------
 
 bool calls_transcendental(const function& f) {
-    const std::vector<bool> needed = needed_nodes(f);
-    for (std::uint32_t i = 0; i < f.graph.size(); ++i) {
-        const operation op = f.graph[i].op;
-        if (needed[i] && (op == operation::exponential2 || op == operation::logarithm2 ||
-                          op == operation::logarithm || op == operation::power))
-            return true;
-    }
-    return false;
+    return needs_any(f, [](const expression& x) {
+        return x.op == operation::exponential2 || x.op == operation::logarithm2 ||
+               x.op == operation::logarithm || x.op == operation::power;
+    });
 }
 
 // A value for a parameter that shows: no default that the graph folds away, but for the ambient.
