@@ -153,6 +153,15 @@ refusal make_job(quantity wanted, const batch_model& model, const instruction_se
 
 namespace {
 
+/// Intel's processors stop fetching ahead by themselves at the end of each page; AMD's lose by being told to.
+bool gains_by_fetching_ahead() noexcept {
+#if defined(__x86_64__)
+    return __builtin_cpu_is("intel");
+#else
+    return false;
+#endif
+}
+
 /// One batch's worth of floats, for values that have to be repeated or cut off.
 struct lane_buffer {
     float lane[most_lanes];
@@ -175,9 +184,9 @@ public:
     /// Whole batches straight from and to the arrays.
     void run_whole(std::size_t count) const {
         const auto aligned = [](const float* p) { return reinterpret_cast<std::uintptr_t>(p) % 64 == 0; };
-        const bool past_caches =
-            count >= values_past_caches && std::all_of(outputs_, outputs_ + job_.output_count, aligned);
-        job_.run({inputs_, steps_, outputs_, count, past_caches});
+        const bool many = count >= values_past_caches;
+        const bool past_caches = many && std::all_of(outputs_, outputs_ + job_.output_count, aligned);
+        job_.run({inputs_, steps_, outputs_, count, past_caches, many && gains_by_fetching_ahead()});
     }
 
     /// The `rest` values after the first `done`, fewer than a batch, through buffers.
@@ -193,7 +202,7 @@ public:
         }
         for (std::size_t k = 0; k < job_.output_count; ++k)
             out_at[k] = out[k].lane;
-        job_.run({in_at, steps_, out_at, job_.lanes, false});
+        job_.run({in_at, steps_, out_at, job_.lanes});
         for (std::size_t k = 0; k < job_.output_count; ++k)
             std::copy_n(out[k].lane, rest, outputs_[k] + done);
     }
@@ -216,7 +225,7 @@ void run_spectral(const instruction_set& set, const spectral_call& call) noexcep
     const std::size_t rest = call.angles - whole.angles;
     if (rest == 0) return;
 
-    // the angles left over, through buffers
+    // the angles left over, as many as are computed at a time, through buffers
     lane_buffer cos_i, out[3];
     std::copy_n(call.cos_i + whole.angles, rest, cos_i.lane);
     std::fill(cos_i.lane + rest, cos_i.lane + most_lanes, 1.0f);

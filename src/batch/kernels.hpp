@@ -20,8 +20,9 @@ struct kernel_call {
     const std::size_t* steps;   ///< 0 or not, for each input
     float* const* outputs;
     std::size_t count; ///< a multiple of the lanes
-    bool
-        past_caches; ///< so many results that no cache would keep them; the outputs begin at a multiple of 64 bytes
+    /// So many results that no cache would keep them; the outputs begin at a multiple of 64 bytes.
+    bool past_caches = false;
+    bool fetch_ahead = false; ///< memory is to be asked for the inputs before they are read
 };
 
 using kernel = void (*)(const kernel_call&);
