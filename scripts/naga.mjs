@@ -1,5 +1,7 @@
 #!/usr/bin/env node
 // fresnel-naga IN OUT                checks WGSL (IN.wgsl) or SPIR-V (IN.spv) and writes it as the other, by OUT's ending
+// fresnel-naga --pairs IN OUT [IN OUT]...
+//                                    several, in the time that one takes to start
 // fresnel-naga --bulk-validate IN... only checks
 // naga, the compiler behind wgpu, as WebAssembly; the command line is that of the crate naga-cli. scripts/setup installs it.
 import fs from 'node:fs';
@@ -30,9 +32,12 @@ if (first === '--version') {
 } else if (first === '--bulk-validate' && others.length > 0) {
     const accepted = others.filter((file) => isAccepted(file));
     process.exitCode = accepted.length === others.length ? 0 : 1;
+} else if (first === '--pairs' && others.length > 0 && others.length % 2 === 0) {
+    const accepted = others.filter((file, i) => i % 2 === 0 && isAccepted(file, others[i + 1]));
+    process.exitCode = accepted.length === others.length / 2 ? 0 : 1;
 } else if (first && !first.startsWith('-') && others.length === 1) {
     process.exitCode = isAccepted(first, others[0]) ? 0 : 1;
 } else {
-    console.error('usage: fresnel-naga IN OUT | --bulk-validate IN... | --version');
+    console.error('usage: fresnel-naga IN OUT | --pairs IN OUT [IN OUT]... | --bulk-validate IN... | --version');
     process.exitCode = 2;
 }

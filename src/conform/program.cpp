@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <filesystem>
+#include <map>
 
 namespace fresnel::conform {
 
@@ -22,7 +24,7 @@ layout(std430, binding = 1) writeonly buffer fresnel_out {{ float fresnel_output
 {text}
 void main() {{
     uint fresnel_row = gl_GlobalInvocationID.x;
-    if (fresnel_row >= {rows}u) return;
+    if (fresnel_row >= uint(fresnel_outputs.length()) / {results}u) return;
 {loads}    {type} fresnel_value = {call};
 {stores}}}
 )";
@@ -32,8 +34,9 @@ constexpr std::string_view hlsl_frame = R"([[vk::binding(0)]] StructuredBuffer<f
 #line 1
 {text}
 [numthreads(64, 1, 1)] void main(uint3 fresnel_id : SV_DispatchThreadID) {{
-    uint fresnel_row = fresnel_id.x;
-    if (fresnel_row >= {rows}u) return;
+    uint fresnel_row = fresnel_id.x, fresnel_length, fresnel_stride;
+    fresnel_outputs.GetDimensions(fresnel_length, fresnel_stride);
+    if (fresnel_row >= fresnel_length / {results}u) return;
 {loads}    {type} fresnel_value = {call};
 {stores}}}
 )";
@@ -45,7 +48,7 @@ constexpr std::string_view wgsl_frame = R"({text}
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) fresnel_id: vec3<u32>) {{
     let fresnel_row = fresnel_id.x;
-    if (fresnel_row >= {rows}u) {{ return; }}
+    if (fresnel_row >= arrayLength(&fresnel_outputs) / {results}u) {{ return; }}
 {loads}    let fresnel_value = {call};
 {stores}}}
 )";
@@ -57,15 +60,17 @@ std::string component(int results, int i) {
     return fmt::format(".{}", names[i]);
 }
 
+render::evaluation evaluation_of(const program& p, std::span<const float> inputs) {
+    return {inputs.size() / static_cast<std::size_t>(p.columns), static_cast<std::size_t>(p.results)};
+}
+
 // ---- GLSL -------------------------------------------------------------------------------------------------
 
 class glsl_runner final : public shader_runner {
 public:
     std::string name() const override { return device_->name(); }
     std::vector<float> run(const program& p, std::span<const float> inputs) override {
-        const std::size_t rows = inputs.size() / static_cast<std::size_t>(p.columns);
-        return device_->run(compute_shader("glsl", p, rows), inputs,
-                            {rows, static_cast<std::size_t>(p.results)});
+        return device_->run(compute_shader("glsl", p), inputs, evaluation_of(p, inputs));
     }
 
 private:
@@ -82,9 +87,11 @@ struct compiler {
     std::string remedy; ///< where there is no such tool
 };
 
+constexpr std::string_view own_naga = "fresnel-naga";
+
 std::string naga() {
     if (const char* named = std::getenv("FRESNEL_NAGA")) return named;
-    return !has_tool("fresnel-naga") && has_tool("naga") ? "naga" : "fresnel-naga";
+    return std::string(!has_tool(std::string(own_naga)) && has_tool("naga") ? "naga" : own_naga);
 }
 
 compiler compiler_of(std::string_view language) {
@@ -104,9 +111,27 @@ public:
     std::string name() const override { return fmt::format("{}, by {}", device_->name(), compiler_.tool); }
 
     std::vector<float> run(const program& p, std::span<const float> inputs) override {
-        const std::size_t rows = inputs.size() / static_cast<std::size_t>(p.columns);
-        return device_->run(compiled(compute_shader(language_, p, rows)), inputs,
-                            {rows, static_cast<std::size_t>(p.results)});
+        const std::string source = compute_shader(language_, p);
+        const auto known = prepared_.find(source);
+        return device_->run(known != prepared_.end() ? known->second : compiled(source), inputs,
+                            evaluation_of(p, inputs));
+    }
+
+    // fresnel-naga takes longer to start than to compile; what it refuses here, it refuses once more in `run`.
+    void prepare(std::span<const program> programs) override {
+        if (compiler_.tool != own_naga) return;
+        const scratch_folder scratch;
+        std::vector<std::string> line = {compiler_.tool, "--pairs"}, sources;
+        for (const program& p : programs) {
+            const std::string name = (scratch.path / std::to_string(sources.size())).string();
+            sources.push_back(compute_shader(language_, p));
+            write_file(name + ".wgsl", sources.back());
+            line.insert(line.end(), {name + ".wgsl", name + ".spv"});
+        }
+        run_tool(line);
+        for (std::size_t i = 0; i < sources.size(); ++i)
+            if (const auto made = scratch.path / (std::to_string(i) + ".spv"); std::filesystem::exists(made))
+                prepared_[sources[i]] = read_file(made);
     }
 
 private:
@@ -137,6 +162,7 @@ private:
 
     std::string language_;
     compiler compiler_;
+    std::map<std::string, std::string> prepared_; ///< SPIR-V by its source
     std::unique_ptr<render::compute_device> device_;
 };
 
@@ -144,7 +170,7 @@ private:
 
 std::string column(int k) { return fmt::format("fresnel_x{}", k); }
 
-std::string compute_shader(std::string_view language, const program& p, std::size_t rows) {
+std::string compute_shader(std::string_view language, const program& p) {
     const bool wgsl = language == "wgsl";
     std::string loads, stores;
     for (int k = 0; k < p.columns; ++k)
@@ -156,7 +182,7 @@ std::string compute_shader(std::string_view language, const program& p, std::siz
     const std::string_view type =
         p.results == 4 ? "fresnel_boundary" : emit::find_language(language).type(p.results);
     const std::string_view frame = wgsl ? wgsl_frame : language == "hlsl" ? hlsl_frame : glsl_frame;
-    return fmt::format(fmt::runtime(frame), fmt::arg("text", p.text), fmt::arg("rows", rows),
+    return fmt::format(fmt::runtime(frame), fmt::arg("text", p.text), fmt::arg("results", p.results),
                        fmt::arg("loads", loads), fmt::arg("type", type), fmt::arg("call", p.call),
                        fmt::arg("stores", stores));
 }

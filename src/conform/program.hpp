@@ -3,6 +3,7 @@
 #include "render/compute.hpp"
 
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,7 +23,7 @@ std::string column(int k);
 
 /// A compute shader that calls it once for each row: inputs in storage buffer 0, results in storage buffer 1. The
 /// first line of `text` stays line 1 in what the compiler says. `language` is glsl, hlsl or wgsl.
-std::string compute_shader(std::string_view language, const program& p, std::size_t rows);
+std::string compute_shader(std::string_view language, const program& p);
 
 /// Runs programs in one language.
 class shader_runner {
@@ -30,6 +31,8 @@ public:
     virtual ~shader_runner() = default;
     /// Device and compilers: "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5".
     virtual std::string name() const = 0;
+    /// Compiles what `run` will be given, where many at once take less time than each alone.
+    virtual void prepare(std::span<const program>) {}
     /// `results` floats for each of the rows of `inputs`. Throws render::refused_shader with the compiler's message,
     /// a line each, in which the program's text is called "shader".
     virtual std::vector<float> run(const program& p, std::span<const float> inputs) = 0;

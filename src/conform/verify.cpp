@@ -29,19 +29,26 @@ public:
 
 class shader_receiver final : public receiver {
 public:
-    shader_receiver(std::string_view language, bool precise)
-        : language_(emit::find_language(language)), precise_(precise), runner_(open_runner(language)) {}
+    shader_receiver(std::string_view language, bool precise, std::span<const verify_case> cases)
+        : language_(emit::find_language(language)), precise_(precise), runner_(open_runner(language)) {
+        std::vector<program> programs;
+        for (const verify_case& c : cases)
+            programs.push_back(program_of(c));
+        runner_->prepare(programs);
+    }
     std::string name() const override { return std::string(language_.id) + (precise_ ? " precise" : ""); }
     std::string device() const override { return runner_->name(); }
     bool rearranges() const override { return !precise_; }
     std::vector<float> run(std::size_t, const verify_case& c, const verify_data& data) override {
-        const emit::style how{precise_, false};
-        return runner_->run({emit::verify_text(language_, {&c, 1}, how),
-                             emit::verify_call(language_, c, column), c.columns(), c.results},
-                            data.inputs);
+        return runner_->run(program_of(c), data.inputs);
     }
 
 private:
+    program program_of(const verify_case& c) const {
+        return {emit::verify_text(language_, {&c, 1}, {precise_, false}),
+                emit::verify_call(language_, c, column), c.columns(), c.results};
+    }
+
     const emit::language& language_;
     bool precise_;
     std::unique_ptr<shader_runner> runner_;
@@ -118,8 +125,8 @@ private:
 using maker = std::function<std::unique_ptr<receiver>()>;
 
 std::vector<std::pair<std::string, maker>> makers(std::span<const verify_case> cases) {
-    const auto shader = [](std::string_view language, bool precise) -> maker {
-        return [=] { return std::make_unique<shader_receiver>(language, precise); };
+    const auto shader = [cases](std::string_view language, bool precise) -> maker {
+        return [=] { return std::make_unique<shader_receiver>(language, precise, cases); };
     };
     const auto c = [cases](const char* compiler) -> maker {
         return [=] { return std::make_unique<c_receiver>(compiler, cases); };
