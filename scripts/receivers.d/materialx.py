@@ -1,5 +1,6 @@
 """MaterialX: the data library of shaders/materialx, by generation and by compilation of what is generated."""
 import json
+import os
 import re
 import shutil
 import subprocess
@@ -9,7 +10,7 @@ from pathlib import Path
 import corpus
 import receiver
 from receiver import SLANGC, Receiver, add, need, pip, run
-from wgsl import tint_says
+from wgsl import naga_says, tint_says
 
 PROGRAMS = Path(__file__).parent / "programs"
 PACKAGES = ["materialx==1.39.5", "shadewire==0.3.0", SLANGC]
@@ -57,15 +58,19 @@ class MaterialX(Receiver):
     def plain(self, file):
         return self.said(self.glslang, file)
 
+    def plain_are_accepted(self, files):
+        """All at once: the compiler takes longer to start than to compile one."""
+        return not self.said(self.glslang, *files)
+
     def spirv(self, file):
         made = f"{file}.spv"
         return self.said(self.glslang, "-V", file, "-o", made) or self.said(self.spirv_val, made)
 
     def wgsl(self, file):
+        """To what naga reads; that is written as WGSL all at once."""
         flat = file.with_name("flat_" + file.name)
         flat.write_text(flattened(file.read_text()))
-        wgsl = f"{flat}.wgsl"
-        return self.spirv(file) or self.spirv(flat) or self.said(self.naga, f"{flat}.spv", wgsl)
+        return self.spirv(flat)
 
     def slang(self, file):
         stage = {"vert": "vertex", "frag": "fragment"}[file.suffix[1:]]
@@ -93,10 +98,14 @@ class MaterialX(Receiver):
         found, count = [], 0
         for target, compile_one in jobs.items():
             files = [f for f in sorted((out / target).glob("*")) if self.is_wanted(target, f)]
-            with ThreadPoolExecutor() as pool:
+            count += len(files)
+            if compile_one == self.plain and self.plain_are_accepted(files):
+                continue
+            with ThreadPoolExecutor(os.cpu_count()) as pool:
                 said = list(pool.map(compile_one, files))
             found += [f"{target}/{f.name}: {s}" for f, s in zip(files, said) if s]
-            count += len(files)
+        flat = sorted((out / "wgsl").glob("flat_*.spv"))
+        found += [f"wgsl/{f.name}: {s}" for f, s in zip(flat, naga_says(self.naga, flat, ".wgsl")) if s]
         written = sorted((out / "wgsl").glob("flat_*.wgsl"))
         found += [f"wgsl/{f.name}: {s}" for f, s in zip(written, tint_says(written)) if s]
         if self.bpy:

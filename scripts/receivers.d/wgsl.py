@@ -27,6 +27,16 @@ def tint_says(files):
     return json.loads(last)
 
 
+def naga_says(naga, files, extension):
+    """A message for each file, translated into FILE + extension; the refused ones once more alone, for their messages."""
+    made = [Path(f"{file}{extension}") for file in files]
+    for file in made:
+        file.unlink(missing_ok=True)
+    run([naga, "--pairs", *(name for pair in zip(files, made) for name in pair)])
+    return ["" if there.exists() else run([naga, file, there])[1].strip() or "refused"
+            for file, there in zip(files, made)]
+
+
 @add
 class Tint(Wgsl):
     name = "wgsl-tint"
@@ -52,8 +62,10 @@ class Naga(Wgsl):
     def version(self):
         return f"naga {run([self.naga, '--version'])[1].strip()} (to SPIR-V), spirv-val"
 
-    def compile_one(self, file):
-        code, said = run([self.naga, file, f"{file}.spv"])
-        if code == 0:
-            code, said = run([self.spirv_val, f"{file}.spv"])
+    def compile(self, files):
+        said = naga_says(self.naga, files, ".spv")
+        return [s or self.invalid(f"{file}.spv") for s, file in zip(said, files)]
+
+    def invalid(self, file):
+        code, said = run([self.spirv_val, file])
         return said if code else ""

@@ -112,9 +112,9 @@ public:
 
     std::vector<float> run(const program& p, std::span<const float> inputs) override {
         const std::string source = compute_shader(language_, p);
-        const auto known = prepared_.find(source);
-        return device_->run(known != prepared_.end() ? known->second : compiled(source), inputs,
-                            evaluation_of(p, inputs));
+        auto known = spirv_.find(source);
+        if (known == spirv_.end()) known = spirv_.emplace(source, compiled(source)).first;
+        return device_->run(known->second, inputs, evaluation_of(p, inputs));
     }
 
     // fresnel-naga takes longer to start than to compile; what it refuses here, it refuses once more in `run`.
@@ -131,7 +131,7 @@ public:
         run_tool(line);
         for (std::size_t i = 0; i < sources.size(); ++i)
             if (const auto made = scratch.path / (std::to_string(i) + ".spv"); std::filesystem::exists(made))
-                prepared_[sources[i]] = read_file(made);
+                spirv_[sources[i]] = read_file(made);
     }
 
 private:
@@ -162,7 +162,7 @@ private:
 
     std::string language_;
     compiler compiler_;
-    std::map<std::string, std::string> prepared_; ///< SPIR-V by its source
+    std::map<std::string, std::string> spirv_; ///< by its source: programs are run again on other inputs
     std::unique_ptr<render::compute_device> device_;
 };
 
