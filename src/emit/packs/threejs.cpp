@@ -23,7 +23,7 @@ std::string head(std::string_view what) {
 }
 
 // Text inside a JavaScript template literal.
-std::string quoted(std::string_view text) {
+std::string js_string(std::string_view text) {
     std::string literal = "/* glsl */ `\n";
     for (const char c : text) {
         if (c == '`' || c == '\\' || c == '$') literal += '\\';
@@ -71,22 +71,22 @@ std::string glsl_module() {
     text += "import { Color, ShaderChunk, ShaderMaterial, Vector3 } from 'three';\n\n";
     text += fmt::format("export const VERSION = '{}';\n\n", FRESNEL_VERSION);
     text += parameter_lists() + metals();
-    text +=
-        "// What every function of a model needs.\nconst types = " +
-        quoted("struct fresnel_boundary {\n    float R_s, R_p; // reflected, polarised across and along the "
-               "plane of incidence\n    float T_s, T_p; // transmitted\n};\n\n" +
-               print(l, record_geometry().front()) + "\n" + twofold_text(l)) +
-        ";\n\n";
+    text += "// What every function of a model needs.\nconst types = " +
+            js_string(
+                "struct fresnel_boundary {\n    float R_s, R_p; // reflected, polarised across and along the "
+                "plane of incidence\n    float T_s, T_p; // transmitted\n};\n\n" +
+                print(l, record_geometry().front()) + "\n" + twofold_text(l)) +
+            ";\n\n";
     text += "/// The functions of each model. GLSL has overloads: a parameter is a float or a vec3, two "
             "directions may stand in\n/// place of cos_i.\nexport const functions = {\n";
     for (const model_row<double>& row : model_table<double>())
-        text += fmt::format("    {}: {},\n\n", row.name, quoted(model_text(l, {std::string(row.name)})));
+        text += fmt::format("    {}: {},\n\n", row.name, js_string(model_text(l, {std::string(row.name)})));
     text += "};\n\n/// Directions, angles and indices.\nexport const geometry = ";
     std::string geometry;
     for (const function& f : record_geometry())
         if (f.name != "incidence_cosine") geometry += print(l, f) + "\n";
     geometry.pop_back();
-    return text + quoted(geometry) + ";\n" + std::string(threejs_glsl_code);
+    return text + js_string(geometry) + ";\n" + std::string(threejs_glsl_code);
 }
 
 // ---- fresnel-tsl.js ---------------------------------------------------------------------------------------
@@ -164,10 +164,10 @@ std::string tsl_module() {
         std::vector<std::string> needs;
         for (const std::string& name : w.needs)
             needs.push_back(js_name(name));
-        std::string wgsl_literal = quoted(w.text);
+        std::string wgsl_literal = js_string(w.text);
         wgsl_literal.replace(3, 4, "wgsl");
         text += fmt::format("\nexport const {} = /*@__PURE__*/ native({}, {}, [{}]);\n", js_name(w.name),
-                            wgsl_literal, quoted(g->text), fmt::join(needs, ", "));
+                            wgsl_literal, js_string(g->text), fmt::join(needs, ", "));
     }
     return text;
 }
