@@ -18,10 +18,16 @@ bool in_domain_of_pow(float x, float y) {
 /// side of a choice that is not taken does not count.
 class inspector {
 public:
-    explicit inspector(function f) : f_(std::move(f)), needed_(needed_nodes(f_)), at_(f_.graph.size()) {
+    explicit inspector(function f) : f_(std::move(f)), at_(f_.graph.size()) {
         const recording scope(f_.graph);
         for (const argument& a : f_.arguments)
             inputs_.push_back(f_.graph.input(a.name, a.width).node());
+        const std::vector<bool> needed = needed_nodes(f_);
+        for (std::uint32_t i = 0; i < f_.graph.size(); ++i)
+            if (const operation op = f_.graph[i].op; needed[i] && op == operation::constant)
+                step(i);
+            else if (needed[i] && op != operation::input)
+                steps_.push_back(i);
     }
 
     // x: the arguments in order.
@@ -34,8 +40,8 @@ public:
             for (int c = 0; c < width; ++c)
                 node.met += *x++;
         }
-        for (std::uint32_t i = 0; i < f_.graph.size(); ++i)
-            if (needed_[i] && f_.graph[i].op != operation::input) step(i);
+        for (const std::uint32_t i : steps_)
+            step(i);
         encounter all;
         for (const result& r : f_.results)
             all += at_[r.node].met;
@@ -79,8 +85,7 @@ private:
     }
 
     function f_;
-    std::vector<bool> needed_;
-    std::vector<std::uint32_t> inputs_;
+    std::vector<std::uint32_t> inputs_, steps_; ///< nodes; constants are computed once
     std::vector<state> at_;
 };
 

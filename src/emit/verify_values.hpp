@@ -3,6 +3,7 @@
 #include "emit/verify.hpp"
 
 #include <cmath>
+#include <limits>
 #include <memory>
 
 namespace fresnel::emit {
@@ -13,10 +14,13 @@ struct encounter {
     bool open = false;      ///< a NaN, or pow outside its domain
 
     void operator+=(const encounter& other) {
-        subnormal = subnormal || other.subnormal;
-        open = open || other.open;
+        subnormal |= other.subnormal;
+        open |= other.open;
     }
-    void operator+=(float x) { *this += {std::fpclassify(x) == FP_SUBNORMAL, std::isnan(x)}; }
+    void operator+=(float x) {
+        subnormal |= (x != 0) & (std::abs(x) < std::numeric_limits<float>::min());
+        open |= x != x;
+    }
 };
 
 /// A case's values by the float model in C++, and what their evaluation meets.
