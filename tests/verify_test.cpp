@@ -189,6 +189,31 @@ TEST(verify, arithmetic_alone_is_claimed_bit_by_bit) {
                                         "gulbrandsen", "f82_tint", "hoffman", "bias_scale_power"}));
 }
 
+/// A device like real ones, whose quotients are off in the last place.
+class nearly_exact final : public conform::shader_runner {
+public:
+    std::string name() const override { return "nearly exact"; }
+    std::vector<float> run(const conform::program&, std::span<const float> inputs) override {
+        std::vector<float> results;
+        for (std::size_t i = 0; i < inputs.size(); i += 2)
+            results.insert(results.end(), {inputs[i] * (1 / inputs[i + 1]), std::sqrt(inputs[i]), 0});
+        return results;
+    }
+};
+
+TEST(verify, devices_that_round_in_their_own_way_are_known) {
+    nearly_exact other;
+    EXPECT_FALSE(conform::rounds_exactly("glsl", other));
+    for (const char* language : {"glsl", "hlsl", "wgsl"}) {
+        std::string reason;
+        const auto runner = runner_or_reason(language, reason);
+        if (runner)
+            EXPECT_TRUE(conform::rounds_exactly(language, *runner)) << language;
+        else
+            std::cout << "skipped: " << language << ": " << reason << "\n";
+    }
+}
+
 // A text with one constant, sign or name changed is seen to differ, in each language that runs here.
 TEST(verify, a_changed_text_is_found) {
     struct {

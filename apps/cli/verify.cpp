@@ -37,6 +37,13 @@ nlohmann::json described(const verify_result& r) {
     return one;
 }
 
+std::string failed(const verify_result& r) {
+    if (r.passed()) return "";
+    if (r.found.rows == 0) return "FAILS: all inputs are open; give more --rows";
+    return fmt::format("FAILS at ({}): {}, must be {}", fmt::join(r.found.inputs, ", "),
+                       fmt::join(r.found.got, ", "), fmt::join(r.found.expected, ", "));
+}
+
 void print_table(const conform::verification& all) {
     for (const std::string& receiver : all.receivers)
         fmt::print("{}\n", receiver);
@@ -45,10 +52,7 @@ void print_table(const conform::verification& all) {
     for (const verify_result& r : all.results)
         fmt::print("{:<34} {:<13} {:>8} {:>9} {:>9.2g} {:>8} {:>8.2g} {:>8} {:>9}  {}\n", r.what.id,
                    r.receiver, r.found.rows, r.found.differing, r.found.max_difference, r.found.max_ulp,
-                   r.allowed, r.found.open_rows, r.found.open_differing,
-                   r.passed() ? ""
-                              : fmt::format("FAILS at ({}): {}, must be {}", fmt::join(r.found.inputs, ", "),
-                                            fmt::join(r.found.got, ", "), fmt::join(r.found.expected, ", ")));
+                   r.allowed, r.found.open_rows, r.found.open_differing, failed(r));
     for (const conform::skipped_receiver& s : all.skipped)
         fmt::print("skipped: {}: {}\n", s.receiver, s.reason);
     fmt::print(
@@ -80,9 +84,9 @@ void check(const verify_options& given) {
 } // namespace
 
 void add_verify_options(CLI::App& command, verify_options& given) {
-    CLI::Option* const verify = command.add_flag(
-        "--verify", given.wanted,
-        "run the text on graphics devices and by C compilers here, compare bit by bit with the model");
+    CLI::Option* const verify = command.add_flag("--verify", given.wanted,
+                                                 "run the text on graphics devices, by C compilers and by "
+                                                 "nvcc where they are, compare bit by bit with the model");
     for (const char* other :
          {"--lang", "--fix", "--material", "--name", "--out", "--all", "--write", "--check", "--technique"})
         verify->excludes(command.get_option(other));

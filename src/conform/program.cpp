@@ -7,9 +7,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <random>
 
 namespace fresnel::conform {
 
@@ -191,6 +194,25 @@ std::unique_ptr<shader_runner> open_runner(std::string_view language) {
     if (language == "glsl") return std::make_unique<glsl_runner>();
     if (language == "hlsl" || language == "wgsl") return std::make_unique<spirv_runner>(language);
     throw bad_input(fmt::format("--lang = '{}': cannot be run here; must be glsl, hlsl or wgsl", language));
+}
+
+bool rounds_exactly(std::string_view language, shader_runner& runner) {
+    const std::string_view text =
+        language == "wgsl"
+            ? "fn probe(a: f32, b: f32) -> vec3<f32> { return vec3<f32>(a / b, sqrt(a), 0.0); }"
+        : language == "hlsl" ? "float3 probe(float a, float b) { return float3(a / b, sqrt(a), 0.0); }"
+                             : "vec3 probe(float a, float b) { return vec3(a / b, sqrt(a), 0.0); }";
+    const program p{std::string(text), fmt::format("probe({}, {})", column(0), column(1)), 2, 3};
+    std::mt19937 generator(754);
+    std::uniform_real_distribution<float> draw(0.25f, 4);
+    std::vector<float> inputs(std::size_t{1} << 17);
+    std::generate(inputs.begin(), inputs.end(), [&] { return draw(generator); });
+    const std::vector<float> got = runner.run(p, inputs);
+    for (std::size_t row = 0; 2 * row < inputs.size(); ++row) {
+        const float a = inputs[2 * row], b = inputs[2 * row + 1];
+        if (got[3 * row] != a / b || got[3 * row + 1] != std::sqrt(a)) return false;
+    }
+    return true;
 }
 
 } // namespace fresnel::conform

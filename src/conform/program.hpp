@@ -43,4 +43,8 @@ public:
 /// device or the compiler is not there.
 std::unique_ptr<shader_runner> open_runner(std::string_view language);
 
+/// Whether quotients and square roots in that language come out as IEEE 754 rounds them. Software devices do so; for
+/// graphics cards a few units in the last place are within the rules of every shading language.
+bool rounds_exactly(std::string_view language, shader_runner& runner);
+
 } // namespace fresnel::conform
