@@ -24,10 +24,10 @@ FRESNEL_INLINE value opaque(float x) {
 volatile float sink;
 
 /// Applies f to thirteen values in turn, again and again: enough independent chains for every unit, few enough to stay
-/// in sixteen registers; of a single operation several rounds between two jumps.
-template <std::size_t rounds, class F>
+/// in sixteen registers; several rounds between two jumps.
+template <class F>
 FRESNEL_INLINE void repeat(std::size_t count, F f) {
-    constexpr std::size_t chains = 13;
+    constexpr std::size_t chains = 13, rounds = 4;
     value x[chains];
     for (std::size_t i = 0; i < chains; ++i)
         x[i] = opaque(0.5f + 0.01f * static_cast<float>(i));
@@ -43,25 +43,43 @@ FRESNEL_INLINE void repeat(std::size_t count, F f) {
 // same unit, as often.
 [[gnu::flatten]] void multiply(std::size_t count) {
     const value a = opaque(1.0f);
-    repeat<4>(count, [&](const value& x) { return x * a; });
+    repeat(count, [&](const value& x) { return x * a; });
 }
 
 [[gnu::flatten]] void division(std::size_t count) {
     const value a = opaque(1.0f);
-    repeat<4>(count, [&](const value& x) { return x / a; });
+    repeat(count, [&](const value& x) { return x / a; });
 }
 
 [[gnu::flatten]] void root(std::size_t count) {
-    repeat<4>(count, [](const value& x) { return sqrt(x); });
+    repeat(count, [](const value& x) { return sqrt(x); });
+}
+
+using few = wide<value, FRESNEL_ISA_POWER_BATCHES>;
+
+/// The same for a function of many operations, which needs the registers itself: few side by side, values in memory, and
+/// the processor overlaps the calls.
+template <class F>
+FRESNEL_INLINE void call_again(std::size_t count, F f) {
+    constexpr std::size_t values = 16 * few::size;
+    float x[values];
+    for (float& lane : x)
+        lane = 0.5f;
+    for (std::size_t done = 0; done < count; done += few::size) {
+        float* const at = x + done % values;
+        f(few::load(at)).store(at);
+    }
+    sink = x[0];
 }
 
 [[gnu::flatten]] void binary_exponential(std::size_t count) {
-    repeat<1>(count, [](const value& x) { return exp2(-x); });
+    call_again(count, [](const few& x) { return exp2(-x); });
 }
 
 [[gnu::flatten]] void power(std::size_t count) {
-    const value a = opaque(0.99f);
-    repeat<1>(count, [&](const value& x) { return pow(x, a); });
+    const volatile float hidden = 0.99f;
+    const few a = few::broadcast(hidden);
+    call_again(count, [&](const few& x) { return pow(x, a); });
 }
 
 using block = wide<value, FRESNEL_ISA_BATCHES>;

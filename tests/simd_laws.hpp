@@ -112,6 +112,19 @@ double ulps(float actual, const real50& truth) {
 
 constexpr int function_points = 20000 / thinning;
 
+TYPED_TEST(simd, exact_product_is_exact) {
+    random_numbers random(14);
+    for (int i = 0; i < function_points; ++i) {
+        const float x = static_cast<float>(random.log_uniform(1e-12, 1e12));
+        const float y = static_cast<float>(-random.log_uniform(1e-12, 1e12));
+        const auto [high, low] = exact_product(TypeParam::broadcast(x), TypeParam::broadcast(y));
+        const double product = static_cast<double>(x) * static_cast<double>(y);
+        EXPECT_EQ(static_cast<double>(high[0]) + static_cast<double>(low[0]), product)
+            << digits(x) << " * " << digits(y);
+        EXPECT_EQ(high[0], static_cast<float>(product));
+    }
+}
+
 TYPED_TEST(simd, exp2_is_within_its_error) {
     random_numbers random(11);
     for (int i = 0; i < function_points; ++i) {

@@ -47,11 +47,12 @@ constexpr instruction_set built[] = {
     {"scalar", always, scalar_kernels},
 #if defined(__x86_64__)
     {"sse2", always, sse2_kernels},
-    {"avx2", [] { return __builtin_cpu_supports("avx2") != 0; }, avx2_kernels},
+    {"avx2", [] { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }, avx2_kernels},
     {"avx512",
      [] {
-         return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-                __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
+         return __builtin_cpu_supports("fma") && __builtin_cpu_supports("avx512f") &&
+                __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
+                __builtin_cpu_supports("avx512bw");
      },
      avx512_kernels},
 #elif defined(__aarch64__)
@@ -162,58 +163,42 @@ bool gains_by_fetching_ahead() noexcept {
 #endif
 }
 
-/// One batch's worth of floats, for values that have to be repeated or cut off.
+/// One batch's worth of floats, for values that have to be cut off.
 struct lane_buffer {
     float lane[most_lanes];
 };
 
-/// The pointers and steps of a job from value `begin` on. Single values are repeated in buffers of their own.
-class kernel_arguments {
-public:
-    kernel_arguments(const batch_job& job, std::size_t begin) : job_(job) {
-        for (std::size_t k = 0; k < job.input_count; ++k) {
-            const auto [data, stride] = job.inputs[k];
-            if (stride == 0) std::fill_n(repeated_[k].lane, most_lanes, *data);
-            inputs_[k] = stride == 0 ? repeated_[k].lane : data + begin;
-            steps_[k] = stride;
-        }
-        for (std::size_t k = 0; k < job.output_count; ++k)
-            outputs_[k] = job.outputs[k] + begin;
+/// Whole batches straight from and to the arrays.
+void run_whole(const batch_job& job, std::size_t begin, std::size_t end) noexcept {
+    kernel_call call{job.inputs, job.outputs, begin, end};
+    if (end - begin >= values_past_caches) {
+        call.past_caches = std::all_of(job.outputs, job.outputs + job.output_count, [=](const float* p) {
+            return reinterpret_cast<std::uintptr_t>(p + begin) % 64 == 0;
+        });
+        call.fetch_ahead = gains_by_fetching_ahead();
     }
+    job.run(call);
+}
 
-    /// Whole batches straight from and to the arrays.
-    void run_whole(std::size_t count) const {
-        const auto aligned = [](const float* p) { return reinterpret_cast<std::uintptr_t>(p) % 64 == 0; };
-        const bool many = count >= values_past_caches;
-        const bool past_caches = many && std::all_of(outputs_, outputs_ + job_.output_count, aligned);
-        job_.run({inputs_, steps_, outputs_, count, past_caches, many && gains_by_fetching_ahead()});
+/// Fewer values than a batch, through buffers.
+void run_rest(const batch_job& job, std::size_t begin, std::size_t count) noexcept {
+    lane_buffer in[most_inputs], out[most_outputs];
+    batch_argument inputs[most_inputs];
+    float* outputs[most_outputs];
+    for (std::size_t k = 0; k < job.input_count; ++k) {
+        inputs[k] = job.inputs[k];
+        if (inputs[k].stride == 0) continue;
+        const float* from = inputs[k].data + begin;
+        std::copy_n(from, count, in[k].lane);
+        std::fill(in[k].lane + count, in[k].lane + most_lanes, *from);
+        inputs[k].data = in[k].lane;
     }
-
-    /// The `rest` values after the first `done`, fewer than a batch, through buffers.
-    void run_rest(std::size_t done, std::size_t rest) const {
-        lane_buffer in[most_inputs], out[most_outputs];
-        const float* in_at[most_inputs];
-        float* out_at[most_outputs];
-        for (std::size_t k = 0; k < job_.input_count; ++k) {
-            const float* from = inputs_[k] + (steps_[k] ? done : 0);
-            std::copy_n(from, rest, in[k].lane);
-            std::fill(in[k].lane + rest, in[k].lane + most_lanes, *from);
-            in_at[k] = in[k].lane;
-        }
-        for (std::size_t k = 0; k < job_.output_count; ++k)
-            out_at[k] = out[k].lane;
-        job_.run({in_at, steps_, out_at, job_.lanes});
-        for (std::size_t k = 0; k < job_.output_count; ++k)
-            std::copy_n(out[k].lane, rest, outputs_[k] + done);
-    }
-
-private:
-    const batch_job& job_;
-    lane_buffer repeated_[most_inputs];
-    const float* inputs_[most_inputs];
-    std::size_t steps_[most_inputs];
-    float* outputs_[most_outputs];
-};
+    for (std::size_t k = 0; k < most_outputs; ++k)
+        outputs[k] = out[k].lane;
+    job.run({inputs, outputs, 0, job.lanes});
+    for (std::size_t k = 0; k < std::min(job.output_count, most_outputs); ++k)
+        std::copy_n(out[k].lane, count, job.outputs[k] + begin);
+}
 
 } // namespace
 
@@ -240,12 +225,9 @@ void run_spectral(const instruction_set& set, const spectral_call& call) noexcep
 }
 
 void run_job(const batch_job& job, std::size_t begin, std::size_t end) noexcept {
-    if (begin == end) return; // the pointers may be null
-    const kernel_arguments arguments(job, begin);
     const std::size_t rest = (end - begin) & (job.lanes - 1); // the lanes are a power of two
-    const std::size_t whole = end - begin - rest;
-    if (whole > 0) arguments.run_whole(whole);
-    if (rest > 0) arguments.run_rest(whole, rest);
+    if (end - begin > rest) run_whole(job, begin, end - rest);
+    if (rest > 0) run_rest(job, end - rest, rest);
 }
 
 } // namespace fresnel

@@ -1,7 +1,7 @@
 // Every model of the registry on arrays, for one instruction set. Compiled once for each, with FRESNEL_ISA_NAMESPACE,
 // FRESNEL_ISA_LANES, FRESNEL_ISA_BATCHES (how many batches are computed side by side; FRESNEL_ISA_EXACT_BATCHES of the
-// exact models, FRESNEL_ISA_ANGLES in a spectral table) and FRESNEL_ISA_KERNELS (the name of its table) set. No function of
-// the standard library may be called here: see simd.hpp.
+// exact models, FRESNEL_ISA_POWER_BATCHES of those with pow, FRESNEL_ISA_ANGLES in a spectral table) and FRESNEL_ISA_KERNELS
+// (the name of its table) set. No function of the standard library may be called here: see simd.hpp.
 
 #include "batch/kernels.hpp"
 
@@ -14,49 +14,81 @@ namespace {
 
 using single = batch<float, FRESNEL_ISA_LANES>;
 
-/// The models of few operations keep within the registers; of the exact ones more batches side by side are faster.
-template <bool exact>
-constexpr int side_by_side = FRESNEL_ISA_BATCHES;
-template <>
-constexpr int side_by_side<true> = FRESNEL_ISA_EXACT_BATCHES;
-template <bool exact>
-using several = wide<single, side_by_side<exact>>;
-static_assert(FRESNEL_ISA_EXACT_BATCHES % FRESNEL_ISA_BATCHES == 0);
+/// How many batches a model's kernel computes side by side: of the exact models, whose roots and divisions wait for each
+/// other, many, and of one so short that the loop around it counts; of others as many as the registers hold, which with
+/// the steps of pow are few.
+template <class Row>
+consteval int side_by_side(const Row& row) {
+    if (row.kind == model_kind::exact || row.parameters.empty()) return FRESNEL_ISA_EXACT_BATCHES;
+    for (const parameter& p : row.parameters)
+        if (p.name == "power" || p.name == "alpha") return FRESNEL_ISA_POWER_BATCHES;
+    return FRESNEL_ISA_BATCHES;
+}
+
+/// What all counts of values are a multiple of.
+constexpr std::size_t most_lanes_at_a_time = std::size_t{FRESNEL_ISA_EXACT_BATCHES} * single::size;
 
 /// How far ahead of its use memory is asked for an input: 1 KiB, by measurement.
 constexpr std::size_t values_ahead = 256;
 
-/// Runs f(inputs, outputs) over the arrays of a call, a value at a time.
-template <class value, int inputs, int outputs, class F>
-FRESNEL_INLINE void run(const kernel_call& call, F f) {
+template <int n>
+FRESNEL_INLINE bool all_arrays(const batch_argument* inputs) {
+    bool all = true;
+    for (int k = 0; k < n; ++k)
+        all = all && inputs[k].stride != 0;
+    return all;
+}
+
+/// Runs f(inputs, outputs) over the arrays of a call, a value at a time. Where none of the inputs is a single value
+/// (`arrays`), their steps are known, which spares cheap models registers; `many` values are worth telling memory of.
+template <class value, int inputs, int outputs, bool arrays, bool many, class F>
+FRESNEL_INLINE void loop(const kernel_call& call, F f) {
     // of their own: a store to an output might be one to `call`
-    const bool past_caches = call.past_caches, fetch_ahead = call.fetch_ahead;
+    const bool past_caches = many && call.past_caches, fetch_ahead = many && call.fetch_ahead;
     const float* in[inputs];
     std::size_t steps[inputs];
+    float repeated[arrays ? 1 : inputs][value::size];
     float* out[outputs];
-    for (int k = 0; k < inputs; ++k)
-        in[k] = call.inputs[k], steps[k] = call.steps[k] ? std::size_t{value::size} : 0;
+    for (int k = 0; k < inputs; ++k) {
+        const auto [data, stride] = call.inputs[k];
+        in[k] = data + call.begin * stride;
+        steps[k] = arrays || stride ? std::size_t{value::size} : 0;
+        if constexpr (!arrays)
+            if (stride == 0) {
+                value::broadcast(*data).store(repeated[k]);
+                in[k] = repeated[k];
+            }
+    }
     for (int k = 0; k < outputs; ++k)
-        out[k] = call.outputs[k];
+        out[k] = call.outputs[k] + call.begin;
 
-    for (std::size_t i = 0; i < call.count; i += value::size) {
+    for (const float* const end = call.outputs[0] + call.end; out[0] != end;) {
         value x[inputs], y[outputs];
-        if (fetch_ahead)
-            for (int k = 0; k < inputs; ++k)
+        for (int k = 0; k < inputs; ++k) {
+            if (fetch_ahead && steps[k] != 0)
                 for (int l = 0; l < value::size; l += 16) // a cache line has 16 values
                     __builtin_prefetch(in[k] + values_ahead + l);
-        for (int k = 0; k < inputs; ++k) {
             x[k] = value::load(in[k]);
             in[k] += steps[k];
         }
         f(x, y);
-        for (int k = 0; k < outputs; ++k)
+        for (int k = 0; k < outputs; ++k) {
             if (past_caches)
-                y[k].store_past_caches(out[k] + i);
+                y[k].store_past_caches(out[k]);
             else
-                y[k].store(out[k] + i);
+                y[k].store(out[k]);
+            out[k] += value::size;
+        }
     }
     if (past_caches) lanes::fence();
+}
+
+template <class value, int inputs, int outputs, bool arrays = false, class F>
+FRESNEL_INLINE void run(const kernel_call& call, F f) {
+    if (call.past_caches || call.fetch_ahead)
+        loop<value, inputs, outputs, arrays, true>(call, f);
+    else
+        loop<value, inputs, outputs, arrays, false>(call, f);
 }
 
 /// The model in row i of the registry on `value`, a number type of several lanes.
@@ -75,7 +107,7 @@ struct row_at {
 };
 
 template <std::size_t i>
-using wide_row = row_at<i, several<std::get<i>(registry).kind == model_kind::exact>>;
+using wide_row = row_at<i, wide<single, side_by_side(std::get<i>(registry))>>;
 
 /// Runs f(result, outputs) with what the model in row i gives. Where the medium outside is vacuum, n_i = 1 for all of
 /// a call, multiplications by it are left out, which changes no bit.
@@ -83,14 +115,17 @@ template <std::size_t i, int outputs, class F>
 FRESNEL_INLINE void run_row(const kernel_call& call, F f) {
     using row = wide_row<i>;
     using value = typename row::number;
+    static_assert(most_lanes_at_a_time % value::size == 0);
     constexpr int n = row::parameters;
     const auto evaluate = [&](const value* x, value* y) { f(row::result(x, x[n]), y); };
     if constexpr (row::polarised)
-        if (call.steps[0] == 0 && call.inputs[0][0] == 1)
+        if (call.inputs[0].stride == 0 && *call.inputs[0].data == 1)
             return run<value, n + 1, outputs>(call, [&](value* x, value* y) {
                 x[0] = 1;
                 evaluate(x, y);
             });
+    if constexpr (!row::polarised)
+        if (all_arrays<n + 1>(call.inputs)) return run<value, n + 1, outputs, true>(call, evaluate);
     run<value, n + 1, outputs>(call, evaluate);
 }
 
@@ -164,7 +199,7 @@ using angles = wide<single, FRESNEL_ISA_ANGLES>;
 } // namespace FRESNEL_ISA_NAMESPACE
 
 kernel_table FRESNEL_ISA_KERNELS() {
-    return {several<true>::size, every_model::rows, angles::size, &spectral};
+    return {most_lanes_at_a_time, every_model::rows, angles::size, &spectral};
 }
 
 } // namespace fresnel

@@ -3,6 +3,8 @@
 // What the kernels of every instruction set have in common. Only plain types here: this header is compiled with
 // several sets of flags, and an inline function in it could end up in the wrong one.
 
+#include "batch/batch.hpp"
+
 #include <cstddef>
 
 namespace fresnel {
@@ -13,13 +15,12 @@ inline constexpr int most_lanes = 64;
 /// From so many on (16 MiB), results would drive everything else out of the caches, and themselves.
 inline constexpr std::size_t values_past_caches = std::size_t{1} << 22;
 
-/// Arrays that a kernel reads and writes. An input with step 0 gives the same values again and again, any other the
-/// next ones. An output may be an input's array itself, but must not overlap one otherwise.
+/// What a kernel reads and writes: places `begin` to `end` of arrays. An output may be an input's array itself, but must
+/// not overlap one otherwise.
 struct kernel_call {
-    const float* const* inputs; ///< the parameters (for rgb those of red, of green, of blue), then cos_i
-    const std::size_t* steps;   ///< 0 or not, for each input
+    const batch_argument* inputs; ///< the parameters (for rgb those of red, of green, of blue), then cos_i
     float* const* outputs;
-    std::size_t count; ///< a multiple of the lanes
+    std::size_t begin, end; ///< a multiple of the lanes apart
     /// So many results that no cache would keep them; the outputs begin at a multiple of 64 bytes.
     bool past_caches = false;
     bool fetch_ahead = false; ///< memory is to be asked for the inputs before they are read
@@ -48,7 +49,7 @@ struct spectral_call {
 
 /// What is compiled once for each instruction set.
 struct kernel_table {
-    std::size_t lanes;           ///< the counts of kernel_call are multiples of it
+    std::size_t lanes;           ///< what a kernel_call computes is a multiple of it
     const model_kernels* models; ///< in the registry's order
     std::size_t spectral_lanes;
     void (*spectral)(const spectral_call&);

@@ -36,6 +36,11 @@
 #define FRESNEL_NO_VECTOR_EXTENSIONS
 #endif
 
+// the rounding error of a product in one operation, where the instruction set has it
+#if defined(__FMA__) || defined(__ARM_FEATURE_FMA)
+#define FRESNEL_FUSED
+#endif
+
 // g++ 12 has no packed square root but the intrinsics, and without them it makes a minimum of a comparison and a blend
 #if defined(__GNUC__) && !defined(__clang__) && defined(__SSE2__) && !defined(FRESNEL_NO_VECTOR_EXTENSIONS)
 #include <immintrin.h>
@@ -197,6 +202,28 @@ FRESNEL_INLINE Floats larger(Floats a, Floats b) {
     return blend(b < a, a, b);
 }
 
+#ifdef FRESNEL_FUSED
+
+/// a b + c, rounded once.
+template <class Floats>
+FRESNEL_INLINE Floats fused(Floats a, Floats b, Floats c) {
+#if defined(FRESNEL_INTRINSICS) && defined(__AVX512F__)
+    if constexpr (sizeof(Floats) == 64) return Floats(_mm512_fmadd_ps(__m512(a), __m512(b), __m512(c)));
+#endif
+#ifdef FRESNEL_INTRINSICS
+    if constexpr (sizeof(Floats) == 32) return Floats(_mm256_fmadd_ps(__m256(a), __m256(b), __m256(c)));
+    if constexpr (sizeof(Floats) == 16) return Floats(_mm_fmadd_ps(__m128(a), __m128(b), __m128(c)));
+#endif
+#ifdef __clang__
+    if constexpr (sizeof(Floats) > sizeof(float)) return __builtin_elementwise_fma(a, b, c);
+#endif
+    for (unsigned i = 0; i < sizeof(Floats) / sizeof(float); ++i)
+        a[i] = __builtin_fmaf(a[i], b[i], c[i]);
+    return a;
+}
+
+#endif
+
 template <class Floats>
 FRESNEL_INLINE void store_past_caches(const Floats& a, float* to) {
 #ifdef FRESNEL_INTRINSICS
@@ -260,6 +287,7 @@ public:
     /// their size; lanes::fence() makes them visible to other threads.
     FRESNEL_INLINE void store_past_caches(float* to) const { lanes::store_past_caches(lanes_, to); }
     FRESNEL_INLINE float operator[](int i) const { return lanes_[i]; }
+    FRESNEL_INLINE floats lanes() const { return lanes_; }
 
     friend FRESNEL_INLINE batch operator-(batch x) { return batch(-x.lanes_); }
     friend FRESNEL_INLINE batch operator+(batch x, batch y) { return batch(x.lanes_ + y.lanes_); }
@@ -323,9 +351,13 @@ FRESNEL_INLINE batch_sum<batch<float, N>> split(batch<float, N> x) {
 template <int N>
 FRESNEL_INLINE batch_sum<batch<float, N>> exact_product(batch<float, N> x, batch<float, N> y) {
     const batch<float, N> product = x * y;
+#ifdef FRESNEL_FUSED
+    return {product, batch<float, N>(lanes::fused(x.lanes(), y.lanes(), (-product).lanes()))};
+#else
     const auto [x1, x2] = split(x);
     const auto [y1, y2] = split(y);
     return {product, (((x1 * y1 - product) + x1 * y2) + x2 * y1) + x2 * y2};
+#endif
 }
 
 /// x + y without rounding error, for |x| >= |y| or x = 0.

@@ -9,6 +9,7 @@
 #include <fresnel/types/simd.hpp>
 
 #include <limits>
+#include <utility>
 
 namespace fresnel {
 inline namespace FRESNEL_ISA_NAMESPACE {
@@ -59,17 +60,14 @@ public:
     /// K V::size values from memory, of any alignment.
     static FRESNEL_INLINE wide load(const float* from) {
         wide result;
-        for (int i = 0; i < K; ++i)
-            result.part_[i] = V::load(from + i * V::size);
+        for_parts([&](int i) { result.part_[i] = V::load(from + i * V::size); });
         return result;
     }
     FRESNEL_INLINE void store(float* to) const {
-        for (int i = 0; i < K; ++i)
-            part_[i].store(to + i * V::size);
+        for_parts([&](int i) { part_[i].store(to + i * V::size); });
     }
     FRESNEL_INLINE void store_past_caches(float* to) const {
-        for (int i = 0; i < K; ++i)
-            part_[i].store_past_caches(to + i * V::size);
+        for_parts([&](int i) { part_[i].store_past_caches(to + i * V::size); });
     }
     FRESNEL_INLINE float operator[](int i) const { return part_[i / V::size][i % V::size]; }
 
@@ -104,6 +102,13 @@ public:
     }
 
 private:
+    /// Not a loop, which g++ would keep, and the parts in memory with it.
+    template <class F>
+    static FRESNEL_INLINE void for_parts(F f) {
+        [&]<int... i>(std::integer_sequence<int, i...>) {
+            (f(i), ...);
+        }(std::make_integer_sequence<int, K>{});
+    }
     FRESNEL_INLINE void copy(const wide& other) {
         for (int i = 0; i < K; ++i)
             part_[i] = other.part_[i];
