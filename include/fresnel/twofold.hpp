@@ -32,10 +32,11 @@ twofold<T> halves(T a) {
     return result_of("halves", twofold<T>{hi, a - hi}, a);
 }
 
-/// a b without rounding error, from + - * alone (Dekker 1971).
+/// a b without rounding error, from + - * alone (Dekker 1971) unless T has an operation for it.
 template <class T>
 twofold<T> two_product(T a, T b) {
     const T product = let("product", a * b);
+    if constexpr (requires { product_error(a, b, product); }) return {product, product_error(a, b, product)};
     const twofold<T> p = let("p", halves(a)), q = let("q", halves(b));
     const T over = let("over", p.hi * q.lo); // of a square one and the same, in this order
     const T under = let("under", p.lo * q.hi);

@@ -287,7 +287,6 @@ public:
     /// their size; lanes::fence() makes them visible to other threads.
     FRESNEL_INLINE void store_past_caches(float* to) const { lanes::store_past_caches(lanes_, to); }
     FRESNEL_INLINE float operator[](int i) const { return lanes_[i]; }
-    FRESNEL_INLINE floats lanes() const { return lanes_; }
 
     friend FRESNEL_INLINE batch operator-(batch x) { return batch(-x.lanes_); }
     friend FRESNEL_INLINE batch operator+(batch x, batch y) { return batch(x.lanes_ + y.lanes_); }
@@ -308,6 +307,11 @@ public:
     friend FRESNEL_INLINE batch max(batch x, batch y) { return batch(lanes::larger(y.lanes_, x.lanes_)); }
     friend FRESNEL_INLINE batch abs(batch x) { return with_bits(bits(x) & word(0x7fffffff)); }
     friend FRESNEL_INLINE batch sqrt(batch x) { return batch(lanes::root(x.lanes_)); }
+#ifdef FRESNEL_FUSED
+    friend FRESNEL_INLINE batch product_error(batch x, batch y, batch product) {
+        return batch(lanes::fused(x.lanes_, y.lanes_, -product.lanes_));
+    }
+#endif
 
     /// The lanes' bit patterns, and back.
     friend FRESNEL_INLINE words bits(batch x) {
@@ -352,7 +356,7 @@ template <int N>
 FRESNEL_INLINE batch_sum<batch<float, N>> exact_product(batch<float, N> x, batch<float, N> y) {
     const batch<float, N> product = x * y;
 #ifdef FRESNEL_FUSED
-    return {product, batch<float, N>(lanes::fused(x.lanes(), y.lanes(), (-product).lanes()))};
+    return {product, product_error(x, y, product)};
 #else
     const auto [x1, x2] = split(x);
     const auto [y1, y2] = split(y);
