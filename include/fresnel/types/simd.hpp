@@ -214,7 +214,7 @@ FRESNEL_INLINE Floats fused(Floats a, Floats b, Floats c) {
     if constexpr (sizeof(Floats) == 32) return Floats(_mm256_fmadd_ps(__m256(a), __m256(b), __m256(c)));
     if constexpr (sizeof(Floats) == 16) return Floats(_mm_fmadd_ps(__m128(a), __m128(b), __m128(c)));
 #endif
-#ifdef __clang__
+#if defined(__clang__) && !defined(FRESNEL_NO_VECTOR_EXTENSIONS)
     if constexpr (sizeof(Floats) > sizeof(float)) return __builtin_elementwise_fma(a, b, c);
 #endif
     for (unsigned i = 0; i < sizeof(Floats) / sizeof(float); ++i)
