@@ -258,6 +258,7 @@ double binding::variable(const sample& s, const std::string& name, std::size_t c
 
 std::vector<float> binding::arguments(const sample& s) const {
     std::vector<float> values;
+    values.reserve(3 * expressions_.size());
     for (std::size_t i = 0; i < expressions_.size(); ++i)
         for (std::size_t c = 0; c < static_cast<std::size_t>(chosen_.arguments[i].width); ++c)
             values.push_back(static_cast<float>(
@@ -275,6 +276,7 @@ double binding::angle(const sample& s) const {
 
 std::vector<double> binding::expected(const sample& s, double cos_i) const {
     std::vector<double> values;
+    values.reserve(static_cast<std::size_t>(std::max(channels(), chosen_.width)));
     for (std::size_t c = 0; c < static_cast<std::size_t>(channels()); ++c) {
         const std::vector<double> parameters(s.parameters[c].begin(), s.parameters[c].end());
         values.push_back(model_->evaluate(parameters.data(), cos_i).reflectance());

@@ -73,6 +73,8 @@ float sampler::value(const column& c, bool edge) {
 
 sample sampler::parameters(bool edge) {
     sample s;
+    for (std::vector<float>& channel : s.parameters)
+        channel.reserve(columns_.size());
     for (const column& c : columns_)
         for (std::size_t channel = 0; channel < 3; ++channel)
             s.parameters[channel].push_back(c.per_channel || channel == 0 ? value(c, edge)
