@@ -15,11 +15,12 @@ namespace {
 using single = batch<float, FRESNEL_ISA_LANES>;
 
 /// How many batches a model's kernel computes side by side: of the exact models, whose roots and divisions wait for each
-/// other, many, and of one so short that the loop around it counts; of others as many as the registers hold, which with
-/// the steps of pow are few.
+/// other, many, as of gulbrandsen, which ends in one, and of one so short that the loop around it counts; of others as
+/// many as the registers hold, which with the steps of pow are few.
 template <class Row>
 consteval int side_by_side(const Row& row) {
-    if (row.kind == model_kind::exact || row.parameters.empty()) return FRESNEL_ISA_EXACT_BATCHES;
+    if (row.kind == model_kind::exact || row.name == "gulbrandsen" || row.parameters.empty())
+        return FRESNEL_ISA_EXACT_BATCHES;
     for (const parameter& p : row.parameters)
         if (p.name == "power" || p.name == "alpha") return FRESNEL_ISA_POWER_BATCHES;
     return FRESNEL_ISA_BATCHES;
