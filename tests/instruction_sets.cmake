@@ -3,13 +3,13 @@
 # packed operation where the set has one, and no function that two objects share, of which the linker would keep any one.
 string(REPLACE "|" ";" objects "${OBJECTS}")
 
-set(root_sse2 "[ \t]sqrtps [^\n]*%xmm")
-set(root_avx2 "vsqrtps [^\n]*%ymm")
-set(root_avx512 "vsqrtps [^\n]*%zmm")
+set(root_sse2 "[ \t]sqrtps[ \t]+[^\n]*%xmm")
+set(root_avx2 "vsqrtps[ \t]+[^\n]*%ymm")
+set(root_avx512 "vsqrtps[ \t]+[^\n]*%zmm")
 set(root_neon "fsqrt[ \t]+v[0-9]+\\.4s")
 set(root_simd128 "f32x4\\.sqrt")
-set(fused_avx2 "vfn?m(add|sub)[0-9]+ps [^\n]*%ymm")
-set(fused_avx512 "vfn?m(add|sub)[0-9]+ps [^\n]*%zmm")
+set(fused_avx2 "vfn?m(add|sub)[0-9]+ps[ \t]+[^\n]*%ymm")
+set(fused_avx512 "vfn?m(add|sub)[0-9]+ps[ \t]+[^\n]*%zmm")
 set(fused_neon "fml[as][ \t]+v[0-9]+\\.4s")
 
 foreach(object IN LISTS objects)
