@@ -40,7 +40,7 @@ inline std::size_t edit_distance(std::string_view from, std::string_view to) {
 
 /// " (did you mean 'copper'?)" where a candidate is close to the word, otherwise "".
 inline std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {
-    std::size_t best = word.size() / 3 + 2;
+    std::size_t best = std::min(word.size() / 2, word.size() / 3 + 1) + 1;
     std::string_view nearest;
     for (const std::string& candidate : candidates) {
         const bool extends = word.size() >= 3 && candidate.starts_with(word);

@@ -535,6 +535,8 @@ TEST(catalog, finds_by_name_alias_and_page_whatever_the_case) {
 TEST(catalog, suggests_the_nearest_name) {
     EXPECT_EQ(message_of([] { load_material("coper"); }),
               "material 'coper' is unknown (did you mean 'copper'?); `fresnel materials` lists them");
+    EXPECT_EQ(message_of([] { load_material("xyz"); }), // two letters of three are another word
+              "material 'xyz' is unknown; `fresnel materials` lists them");
     EXPECT_EQ(message_of([] { load_material("qwertyuiopasdf"); }),
               "material 'qwertyuiopasdf' is unknown; `fresnel materials` lists them");
 }

@@ -125,25 +125,20 @@ T powers_4_8(T f0, T cos_i) {
     return f0 + x4 * ((a - f0) + (1 - a) * x4);
 }
 
-/// The a of `powers_3_9`.
-template <class T>
-T powers_3_9_weight(T f0) {
-    return let("a", max(ratio<T, 46, 100>(), f0));
-}
-
 /// Two powers, a third of Schlick's error on dielectrics.
 ///
-///   F = f0 + x^3 ((a - f0) + (1 - a) x^6),   a = max(0.46, f0)
+///   F = f0 + x^3 max((1 - f0) - 0.54 (1 - x^6), 0)
 ///
 /// f0      reflectance at normal incidence   [0, 1]; made for f0 in [0.02, 0.18]
-/// returns [f0, 1]: the maximum in a keeps a bright f0 from dipping below itself
+/// returns [f0, 1]: the maximum, which acts for f0 > 0.46 alone, keeps a bright f0 from dipping below itself
 /// source  this library: minimax fit over eta in [1.333, 2.42]
 template <class T>
 T powers_3_9(T f0, T cos_i) {
-    const T a = powers_3_9_weight(f0);
     const T x = let("x", 1 - cos_i);
     const T x3 = let("x3", x * x * x);
-    return saturate(f0 + x3 * ((a - f0) + (1 - a) * (x3 * x3))); // a saturate is free on a graphics processor
+    const T rise =
+        let("rise", saturate((1 - f0) - ratio<T, 54, 100>() * (1 - x3 * x3)), "saturate is free on GPUs");
+    return saturate(f0 + x3 * rise);
 }
 
 /// Coefficients of three powers of 1 - cos_i, the lowest first.

@@ -177,11 +177,16 @@ T powers_4_8_average(T f0) {
 
 /// Average of `powers_3_9`.
 ///
-///   f0 + (a - f0) / 10 + (1 - a) / 55,   a = max(0.46, f0)
+///   f0 + (0.46 - f0) / 10 + 0.54 / 55 + d x^4 (3 / 10 - 12 x / 55),   d = max(f0 - 0.46, 0),   x^6 = d / 0.54
+///
+/// A bright f0 rises from x = 1 - cos_i on.
 template <class T>
 T powers_3_9_average(T f0) {
-    const T a = powers_3_9_weight(f0);
-    return f0 + (a - f0) / 10 + (1 - a) / 55;
+    const T a = ratio<T, 46, 100>(), b = ratio<T, 54, 100>();
+    const T d = let("d", max(f0 - a, T(0)));
+    const T x = let("x", pow(d / b + tiny<T>(), ratio<T, 1, 6>()));
+    const T late = let("late", d * square(x * x) * (ratio<T, 3, 10>() - ratio<T, 12, 55>() * x));
+    return f0 + (a - f0) / 10 + b / 55 + late;
 }
 
 /// Average of `powers_3_6_9`, whose p, q and r these are.

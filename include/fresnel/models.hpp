@@ -228,7 +228,7 @@ inline constexpr auto registry = std::tuple{
     model{"powers_3_9",
           model_kind::approximation,
           "Two powers, less than half of Schlick's error on dielectrics.",
-          "f0 + x^3 ((a - f0) + (1 - a) x^6), a = max(0.46, f0), x = 1 - cos_i",
+          "f0 + x^3 max((1 - f0) - 0.54 (1 - x^6), 0), x = 1 - cos_i",
           std::array{row::f0},
           "this library",
           row::any_angle,
