@@ -138,7 +138,7 @@ T powers_3_9(T f0, T cos_i) {
     const T x3 = let("x3", x * x * x);
     const T rise =
         let("rise", saturate((1 - f0) - ratio<T, 54, 100>() * (1 - x3 * x3)), "saturate is free on GPUs");
-    return saturate(f0 + x3 * rise);
+    return f0 + x3 * rise;
 }
 
 /// Coefficients of three powers of 1 - cos_i, the lowest first.

@@ -984,13 +984,13 @@ color powers_4_8(color f0, vector normal_, vector direction) {
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
 // error   at most 0.0328, certified for eta in [1.3, 2.5], from outside, f0 exact
-// cost    14 operations
+// cost    12 operations
 // source  this library
 float powers_3_9(float f0, float cos_i) {
     float x = 1.0 - cos_i;
     float x3 = x * x * x;
     float rise = clamp(1.0 - f0 - 0.54 * (1.0 - x3 * x3), 0.0, 1.0); // saturate is free on GPUs
-    return clamp(f0 + x3 * rise, 0.0, 1.0);
+    return f0 + x3 * rise;
 }
 
 float powers_3_9(float f0, vector normal_, vector direction) {
@@ -1002,7 +1002,7 @@ color powers_3_9(color f0, float cos_i) {
     float x = 1.0 - cos_i;
     float x3 = x * x * x;
     color rise = clamp(1.0 - f0 - 0.54 * (1.0 - x3 * x3), color(0.0), color(1.0)); // saturate is free on GPUs
-    return clamp(f0 + x3 * rise, color(0.0), color(1.0));
+    return f0 + x3 * rise;
 }
 
 color powers_3_9(color f0, vector normal_, vector direction) {
