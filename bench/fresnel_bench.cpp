@@ -15,8 +15,9 @@
 //                    those of multiplications, a model of few multiplications passes it
 //   share_of_mix     the time of the kernel's own instructions when none waits for another's result, over it. More than
 //                    the limit where units share what they need, as the divider and the multipliers may; the compiler
-//                    orders these by itself, so that short models can take less than their mix. Of models of
-//                    + - * / sqrt, AVX2 and AVX-512, in the first cache
+//                    orders these by itself, so that short models can take less than their mix; and kernels of
+//                    AVX-512 take some roots beside the divider, which the mix does not. Of models of + - * / sqrt,
+//                    AVX2 and AVX-512, in the first cache
 //   times_textbook, times_complex_class, times_memo   how many times the forms of rivals.hpp take
 // One thread throughout; inputs include total internal reflection.
 

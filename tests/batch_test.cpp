@@ -2,6 +2,7 @@
 #include "tolerances.hpp"
 
 #include "batch/batch.hpp"
+#include "batch/core.hpp"
 #include "error.hpp"
 
 #include <fresnel/fresnel.h>
@@ -256,6 +257,34 @@ TEST(batch, vacuum_outside_gives_the_same_bits_as_an_array_of_ones) {
     });
 }
 
+/// Whatever processor this is.
+TEST(batch, kernels_for_a_slow_divider_give_the_same_bits) {
+    std::size_t i = 0;
+    for_each_model([&](const auto& row) {
+        const points at = random_points(row, most_lanes * (2000 / thinning));
+        const std::vector<batch_argument> inputs = arrays(at.columns);
+        for (const instruction_set& set : built_instruction_sets()) {
+            if (!set.supported()) continue;
+            SCOPED_TRACE(set.name);
+            const model_kernels& model = set.kernels().models[i];
+            const auto run = [&](kernel kernel, std::size_t parts) {
+                floats all(parts * at.size());
+                float* outputs[4] = {};
+                for (std::size_t k = 0; k < parts; ++k)
+                    outputs[k] = all.data() + k * at.size();
+                kernel({inputs.data(), outputs, 0, at.size(), false, false, true});
+                return all;
+            };
+            EXPECT_TRUE(identical(at, run(model.reflectance, 1), reflectances(at, one_thread("scalar"))));
+            if (model.powers) {
+                const floats parts = run(model.powers, 4);
+                EXPECT_TRUE(identical(at, parts, polarised_parts(at, one_thread("scalar"))));
+            }
+        }
+        ++i;
+    });
+}
+
 TEST(batch, so_many_results_that_they_pass_the_caches_are_the_same) {
     const std::size_t count = (std::size_t{1} << 22) + 37;
     random_numbers random(5);
@@ -388,6 +417,28 @@ TEST(batch, a_spectral_table_adds_the_weighted_reflectances_of_its_wavelengths) 
                 EXPECT_EQ(rgb[channel][angles], guard);
             }
         }
+    }
+    for (const instruction_set& set : built_instruction_sets()) {
+        if (!set.supported()) continue;
+        const kernel_table kernels = set.kernels();
+        const std::size_t angles = kernels.spectral_lanes;
+        const floats cos_i = draw(angles, 0, 1);
+        floats rgb[2][3] = {{floats(angles), floats(angles), floats(angles)},
+                            {floats(angles), floats(angles), floats(angles)}};
+        for (const bool slow_divider : {false, true}) {
+            floats* const to = rgb[slow_divider];
+            kernels.spectral({n.data(),
+                              k.data(),
+                              {weights[0].data(), weights[1].data(), weights[2].data()},
+                              wavelengths,
+                              1.25f,
+                              cos_i.data(),
+                              {to[0].data(), to[1].data(), to[2].data()},
+                              angles,
+                              slow_divider});
+        }
+        for (int channel = 0; channel < 3; ++channel)
+            EXPECT_EQ(rgb[0][channel], rgb[1][channel]) << set.name;
     }
     EXPECT_EQ(refusal([&] { spectral_table({n, {}, {}}, {}, {}); }),
               "k_t has 0 wavelengths: must be as many as n_t has, 81");

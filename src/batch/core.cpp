@@ -154,8 +154,9 @@ refusal make_job(quantity wanted, const batch_model& model, const instruction_se
 
 namespace {
 
-/// Intel's processors stop fetching ahead by themselves at the end of each page; AMD's lose by being told to.
-bool gains_by_fetching_ahead() noexcept {
+/// Intel's processors stop fetching ahead by themselves at the end of each page, where AMD's lose by being told to; and
+/// their dividers are half as fast as AMD's.
+bool is_intel() noexcept {
 #if defined(__x86_64__)
     return __builtin_cpu_is("intel");
 #else
@@ -171,11 +172,12 @@ struct lane_buffer {
 /// Whole batches straight from and to the arrays.
 void run_whole(const batch_job& job, std::size_t begin, std::size_t end) noexcept {
     kernel_call call{job.inputs, job.outputs, begin, end};
+    call.slow_divider = is_intel();
     if (end - begin >= values_past_caches) {
         call.past_caches = std::all_of(job.outputs, job.outputs + job.output_count, [=](const float* p) {
             return reinterpret_cast<std::uintptr_t>(p + begin) % 64 == 0;
         });
-        call.fetch_ahead = gains_by_fetching_ahead();
+        call.fetch_ahead = is_intel();
     }
     job.run(call);
 }
@@ -205,6 +207,7 @@ void run_rest(const batch_job& job, std::size_t begin, std::size_t count) noexce
 void run_spectral(const instruction_set& set, const spectral_call& call) noexcept {
     const kernel_table kernels = set.kernels();
     spectral_call whole = call;
+    whole.slow_divider = is_intel();
     whole.angles = call.angles / kernels.spectral_lanes * kernels.spectral_lanes;
     kernels.spectral(whole);
     const std::size_t rest = call.angles - whole.angles;
@@ -214,7 +217,7 @@ void run_spectral(const instruction_set& set, const spectral_call& call) noexcep
     lane_buffer cos_i, out[3];
     std::copy_n(call.cos_i + whole.angles, rest, cos_i.lane);
     std::fill(cos_i.lane + rest, cos_i.lane + most_lanes, 1.0f);
-    spectral_call last = call;
+    spectral_call last = whole;
     last.cos_i = cos_i.lane;
     last.angles = kernels.spectral_lanes;
     for (int channel = 0; channel < 3; ++channel)

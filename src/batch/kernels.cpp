@@ -26,6 +26,14 @@ consteval int side_by_side(const Row& row) {
     return FRESNEL_ISA_BATCHES;
 }
 
+/// How many of those batches take their roots by products, beside the divider: one of four where everything waits for it,
+/// as in models of one root and two divisions; in those of two roots only where it is slow beside the rest.
+template <class Row>
+consteval int roots_by_products(const Row& row, bool slow_divider) {
+    if (row.name == "conductor" || row.name == "conductor_fast") return slow_divider;
+    return row.name == "dielectric" || row.name == "dielectric_fast" || row.name == "schlick_internal";
+}
+
 /// What all counts of values are a multiple of.
 constexpr std::size_t most_lanes_at_a_time = std::size_t{FRESNEL_ISA_EXACT_BATCHES} * single::size;
 
@@ -107,14 +115,14 @@ struct row_at {
     }
 };
 
-template <std::size_t i>
-using wide_row = row_at<i, wide<single, side_by_side(std::get<i>(registry))>>;
+template <std::size_t i, bool slow_divider = false>
+using wide_row = row_at<i, wide<single, side_by_side(std::get<i>(registry)),
+                                roots_by_products(std::get<i>(registry), slow_divider)>>;
 
-/// Runs f(result, outputs) with what the model in row i gives. Where the medium outside is vacuum, n_i = 1 for all of
+/// Runs f(result, outputs) with what the model of a row gives. Where the medium outside is vacuum, n_i = 1 for all of
 /// a call, multiplications by it are left out, which changes no bit.
-template <std::size_t i, int outputs, class F>
+template <class row, int outputs, class F>
 FRESNEL_INLINE void run_row(const kernel_call& call, F f) {
-    using row = wide_row<i>;
     using value = typename row::number;
     static_assert(most_lanes_at_a_time % value::size == 0);
     constexpr int n = row::parameters;
@@ -128,6 +136,14 @@ FRESNEL_INLINE void run_row(const kernel_call& call, F f) {
     if constexpr (!row::polarised)
         if (all_arrays<n + 1>(call.inputs)) return run<value, n + 1, outputs, true>(call, evaluate);
     run<value, n + 1, outputs>(call, evaluate);
+}
+
+template <std::size_t i, int outputs, class F>
+FRESNEL_INLINE void run_row(const kernel_call& call, F f) {
+    using other = wide_row<i, true>;
+    if constexpr (has_root_by_products<single> && !std::is_same_v<other, wide_row<i>>)
+        if (call.slow_divider) return run_row<other, outputs>(call, f);
+    run_row<wide_row<i>, outputs>(call, f);
 }
 
 template <std::size_t i>
@@ -177,10 +193,9 @@ struct table<std::index_sequence<i...>> {
 
 using every_model = table<std::make_index_sequence<std::tuple_size_v<decltype(registry)>>>;
 
-using angles = wide<single, FRESNEL_ISA_ANGLES>;
-
 /// A spectral table, many angles at a time: they share what depends on the wavelength alone.
-[[gnu::flatten]] void spectral(const spectral_call& call) {
+template <class angles>
+FRESNEL_INLINE void fill_spectral(const spectral_call& call) {
     const angles n_i = angles::broadcast(call.n_i);
     for (std::size_t begin = 0; begin < call.angles; begin += angles::size) {
         const angles cos_i = angles::load(call.cos_i + begin);
@@ -196,11 +211,18 @@ using angles = wide<single, FRESNEL_ISA_ANGLES>;
     }
 }
 
+[[gnu::flatten]] void spectral(const spectral_call& call) {
+    if constexpr (has_root_by_products<single>)
+        if (call.slow_divider) return fill_spectral<wide<single, FRESNEL_ISA_ANGLES, 1>>(call);
+    fill_spectral<wide<single, FRESNEL_ISA_ANGLES>>(call);
+}
+
 } // namespace
 } // namespace FRESNEL_ISA_NAMESPACE
 
 kernel_table FRESNEL_ISA_KERNELS() {
-    return {most_lanes_at_a_time, every_model::rows, angles::size, &spectral};
+    return {most_lanes_at_a_time, every_model::rows, std::size_t{FRESNEL_ISA_ANGLES} * single::size,
+            &spectral};
 }
 
 } // namespace fresnel

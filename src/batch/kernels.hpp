@@ -23,7 +23,8 @@ struct kernel_call {
     std::size_t begin, end; ///< a multiple of the lanes apart
     /// So many results that no cache would keep them; the outputs begin at a multiple of 64 bytes.
     bool past_caches = false;
-    bool fetch_ahead = false; ///< memory is to be asked for the inputs before they are read
+    bool fetch_ahead = false;  ///< memory is to be asked for the inputs before they are read
+    bool slow_divider = false; ///< the exact models wait for the divider and for little else
 };
 
 using kernel = void (*)(const kernel_call&);
@@ -45,6 +46,7 @@ struct spectral_call {
     const float* cos_i; ///< for each angle
     float* rgb[3];      ///< for each angle
     std::size_t angles; ///< for a kernel a multiple of its spectral_lanes
+    bool slow_divider = false;
 };
 
 /// What is compiled once for each instruction set.

@@ -172,6 +172,31 @@ FRESNEL_INLINE Floats root(Floats a) {
 
 #endif
 
+#if defined(FRESNEL_INTRINSICS) && defined(__AVX512F__)
+
+/// The root of m in [0.5, 2), rounded correctly, from y, which is within 2^-13 of 1 / sqrt(m). Markstein 1990,
+/// "Computation of elementary functions on the IBM RISC System/6000 processor": a step of Newton's for the root g and for
+/// half its reciprocal h, then one for g with a remainder that a fused multiply-add gives exactly.
+FRESNEL_INLINE __m512 refined_root(__m512 m, __m512 y) {
+    const __m512 half = _mm512_set1_ps(0.5f);
+    const __m512 g0 = m * y, h0 = half * y;
+    const __m512 r = _mm512_fnmadd_ps(g0, h0, half);
+    const __m512 g = _mm512_fmadd_ps(g0, r, g0), h = _mm512_fmadd_ps(h0, r, h0);
+    return _mm512_fmadd_ps(_mm512_fnmadd_ps(g, g, m), h, g);
+}
+
+/// `root` without the divider, bit for bit: a test takes all 2^32 floats.
+FRESNEL_INLINE __m512 root_by_products(__m512 a) {
+    const __m512 half = _mm512_set1_ps(0.5f);
+    const __m512 m = _mm512_maskz_getmant_ps(0xffff, a, _MM_MANT_NORM_p5_2, _MM_MANT_SIGN_nan);
+    const __m512 e = _mm512_fmadd_ps(_mm512_maskz_getexp_ps(0xffff, a), half, half); // rounded down by scalef
+    const __m512 root = refined_root(m, _mm512_maskz_rsqrt14_ps(0xffff, m));
+    const __m512i special = _mm512_set1_epi32(0x30100); // 0 stays, with its sign; none of -infinity
+    return _mm512_fixupimm_ps(_mm512_maskz_scalef_ps(0xffff, root, e), a, special, 0);
+}
+
+#endif
+
 /// a < b ? a : b in each lane: `b` where they are equal or one is a NaN, as the processor's own minimum.
 template <class Floats>
 FRESNEL_INLINE Floats smaller(Floats a, Floats b) {
@@ -307,6 +332,14 @@ public:
     friend FRESNEL_INLINE batch max(batch x, batch y) { return batch(lanes::larger(y.lanes_, x.lanes_)); }
     friend FRESNEL_INLINE batch abs(batch x) { return with_bits(bits(x) & word(0x7fffffff)); }
     friend FRESNEL_INLINE batch sqrt(batch x) { return batch(lanes::root(x.lanes_)); }
+#if defined(FRESNEL_INTRINSICS) && defined(__AVX512F__)
+    /// `sqrt` by the units of multiplications.
+    friend FRESNEL_INLINE batch root_by_products(batch x)
+        requires(N == 16)
+    {
+        return batch(floats(lanes::root_by_products(__m512(x.lanes_))));
+    }
+#endif
 #ifdef FRESNEL_FUSED
     friend FRESNEL_INLINE batch product_error(batch x, batch y, batch product) {
         return batch(lanes::fused(x.lanes_, y.lanes_, -product.lanes_));

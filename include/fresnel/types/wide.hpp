@@ -31,8 +31,14 @@ struct wide_mask {
     }
 };
 
-/// K of V behind the vocabulary of number.hpp. Passed by reference: a register holds no more than a part.
-template <class V, int K>
+/// Whether V can take roots by the units of multiplications.
+template <class V>
+concept has_root_by_products = requires(V a) { root_by_products(a); };
+
+/// K of V behind the vocabulary of number.hpp. Passed by reference: a register holds no more than a part. The last
+/// `by_products` of them take their roots by the units of multiplications, where V has such roots: a divider is one, and
+/// the others idle while everything waits for it.
+template <class V, int K, int by_products = 0>
 class wide {
 public:
     using mask = wide_mask<V, K>;
@@ -83,7 +89,6 @@ public:
     friend FRESNEL_INLINE wide max(const wide& x, const wide& y) { return each(x, y, [](const V& a, const V& b) { return max(a, b); }); }
     friend FRESNEL_INLINE wide pow(const wide& x, const wide& y) { return each(x, y, [](const V& a, const V& b) { return pow(a, b); }); }
     friend FRESNEL_INLINE wide abs(const wide& x) { return each(x, [](const V& a) { return abs(a); }); }
-    friend FRESNEL_INLINE wide sqrt(const wide& x) { return each(x, [](const V& a) { return sqrt(a); }); }
     friend FRESNEL_INLINE wide exp2(const wide& x) { return each(x, [](const V& a) { return exp2(a); }); }
     friend FRESNEL_INLINE wide log2(const wide& x) { return each(x, [](const V& a) { return log2(a); }); }
     friend FRESNEL_INLINE wide log(const wide& x) { return each(x, [](const V& a) { return log(a); }); }
@@ -100,6 +105,16 @@ public:
         wide result;
         for (int i = 0; i < K; ++i)
             result.part_[i] = product_error(x.part_[i], y.part_[i], product.part_[i]);
+        return result;
+    }
+    friend FRESNEL_INLINE wide sqrt(const wide& x) {
+        wide result;
+        for_parts([&](int i) {
+            if constexpr (has_root_by_products<V>)
+                result.part_[i] = i < K - by_products ? sqrt(x.part_[i]) : root_by_products(x.part_[i]);
+            else
+                result.part_[i] = sqrt(x.part_[i]);
+        });
         return result;
     }
     friend FRESNEL_INLINE wide select(const mask& m, const wide& yes, const wide& no) {
@@ -150,5 +165,5 @@ private:
 } // namespace fresnel
 
 /// A wide number has the properties of its element.
-template <class V, int K>
-struct std::numeric_limits<fresnel::wide<V, K>> : std::numeric_limits<V> {};
+template <class V, int K, int by_products>
+struct std::numeric_limits<fresnel::wide<V, K, by_products>> : std::numeric_limits<V> {};
