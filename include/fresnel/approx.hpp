@@ -125,6 +125,12 @@ T powers_4_8(T f0, T cos_i) {
     return f0 + x4 * ((a - f0) + (1 - a) * x4);
 }
 
+/// How far the rise of `powers_3_9` is below 1 - f0 at normal incidence.
+template <class T>
+T powers_3_9_depth() {
+    return ratio<T, 54, 100>();
+}
+
 /// Two powers, a third of Schlick's error on dielectrics.
 ///
 ///   F = f0 + x^3 max((1 - f0) - 0.54 (1 - x^6), 0)
@@ -137,7 +143,7 @@ T powers_3_9(T f0, T cos_i) {
     const T x = let("x", 1 - cos_i);
     const T x3 = let("x3", x * x * x);
     const T rise =
-        let("rise", saturate((1 - f0) - ratio<T, 54, 100>() * (1 - x3 * x3)), "saturate is free on GPUs");
+        let("rise", saturate((1 - f0) - powers_3_9_depth<T>() * (1 - x3 * x3)), "saturate is free on GPUs");
     return f0 + x3 * rise;
 }
 

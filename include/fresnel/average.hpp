@@ -175,18 +175,19 @@ T powers_4_8_average(T f0) {
     return f0 + (a - f0) / 15 + (1 - a) / 45;
 }
 
-/// Average of `powers_3_9`.
+/// Average of `powers_3_9`, with b = 0.54.
 ///
-///   f0 + (0.46 - f0) / 10 + 0.54 / 55 + d x^4 (3 / 10 - 12 x / 55),   d = max(f0 - 0.46, 0),   x^6 = d / 0.54
+///   f0 + (1 - f0 - b) / 10 + b / 55 + d x^4 (3 / 10 - 12 x / 55),   d = max(b - (1 - f0), 0),   x^6 = d / b
 ///
 /// A bright f0 rises from x = 1 - cos_i on.
 template <class T>
 T powers_3_9_average(T f0) {
-    const T a = ratio<T, 46, 100>(), b = ratio<T, 54, 100>();
-    const T d = let("d", max(f0 - a, T(0)));
+    const T b = powers_3_9_depth<T>();
+    const T least = let("least", (1 - f0) - b);
+    const T d = let("d", max(-least, T(0)));
     const T x = let("x", pow(d / b + tiny<T>(), ratio<T, 1, 6>()));
     const T late = let("late", d * square(x * x) * (ratio<T, 3, 10>() - ratio<T, 12, 55>() * x));
-    return f0 + (a - f0) / 10 + b / 55 + late;
+    return f0 + least / 10 + b / 55 + late;
 }
 
 /// Average of `powers_3_6_9`, whose p, q and r these are.
