@@ -48,12 +48,17 @@ FRESNEL_INLINE bool all_arrays(const batch_argument* inputs) {
     return all;
 }
 
+/// Where the values of a call lie, known when its loop is compiled: a test in it costs cheap models more than memory does.
+enum class reach {
+    caches,
+    memory,  ///< results are written past the caches
+    fetched, ///< likewise, and memory is asked for the inputs, all arrays, before they are read
+};
+
 /// Runs f(inputs, outputs) over the arrays of a call, a value at a time. Where none of the inputs is a single value
-/// (`arrays`), their steps are known, which spares cheap models registers; `many` values are worth telling memory of.
-template <class value, int inputs, int outputs, bool arrays, bool many, class F>
+/// (`arrays`), their steps are known, which spares cheap models registers.
+template <class value, int inputs, int outputs, bool arrays, reach values, class F>
 FRESNEL_INLINE void loop(const kernel_call& call, F f) {
-    // of their own: a store to an output might be one to `call`
-    const bool past_caches = many && call.past_caches, fetch_ahead = many && call.fetch_ahead;
     const float* in[inputs];
     std::size_t steps[inputs];
     float repeated[arrays ? 1 : inputs][value::size];
@@ -74,7 +79,7 @@ FRESNEL_INLINE void loop(const kernel_call& call, F f) {
     for (const float* const end = call.outputs[0] + call.end; out[0] != end;) {
         value x[inputs], y[outputs];
         for (int k = 0; k < inputs; ++k) {
-            if (fetch_ahead && steps[k] != 0)
+            if constexpr (values == reach::fetched)
                 for (int l = 0; l < value::size; l += 16) // a cache line has 16 values
                     __builtin_prefetch(in[k] + values_ahead + l);
             x[k] = value::load(in[k]);
@@ -82,22 +87,24 @@ FRESNEL_INLINE void loop(const kernel_call& call, F f) {
         }
         f(x, y);
         for (int k = 0; k < outputs; ++k) {
-            if (past_caches)
-                y[k].store_past_caches(out[k]);
-            else
+            if constexpr (values == reach::caches)
                 y[k].store(out[k]);
+            else
+                y[k].store_past_caches(out[k]);
             out[k] += value::size;
         }
     }
-    if (past_caches) lanes::fence();
+    if constexpr (values != reach::caches) lanes::fence();
 }
 
 template <class value, int inputs, int outputs, bool arrays = false, class F>
 FRESNEL_INLINE void run(const kernel_call& call, F f) {
-    if (call.past_caches || call.fetch_ahead)
-        loop<value, inputs, outputs, arrays, true>(call, f);
-    else
-        loop<value, inputs, outputs, arrays, false>(call, f);
+    if (!call.past_caches)
+        loop<value, inputs, outputs, arrays, reach::caches>(call, f);
+    else if (!arrays || !call.fetch_ahead)
+        loop<value, inputs, outputs, arrays, reach::memory>(call, f);
+    else if constexpr (arrays)
+        loop<value, inputs, outputs, arrays, reach::fetched>(call, f);
 }
 
 /// The model in row i of the registry on `value`, a number type of several lanes.
@@ -119,6 +126,15 @@ template <std::size_t i, bool slow_divider = false>
 using wide_row = row_at<i, wide<single, side_by_side(std::get<i>(registry)),
                                 roots_by_products(std::get<i>(registry), slow_divider)>>;
 
+/// `run`, with the loop of those whose steps are known where they are.
+template <class value, int inputs, int outputs, class F>
+FRESNEL_INLINE void run_any(const kernel_call& call, F f) {
+    if (all_arrays<inputs>(call.inputs))
+        run<value, inputs, outputs, true>(call, f);
+    else
+        run<value, inputs, outputs>(call, f);
+}
+
 /// Runs f(result, outputs) with what the model of a row gives. Where the medium outside is vacuum, n_i = 1 for all of
 /// a call, multiplications by it are left out, which changes no bit.
 template <class row, int outputs, class F>
@@ -127,15 +143,21 @@ FRESNEL_INLINE void run_row(const kernel_call& call, F f) {
     static_assert(most_lanes_at_a_time % value::size == 0);
     constexpr int n = row::parameters;
     const auto evaluate = [&](const value* x, value* y) { f(row::result(x, x[n]), y); };
-    if constexpr (row::polarised)
-        if (call.inputs[0].stride == 0 && *call.inputs[0].data == 1)
-            return run<value, n + 1, outputs>(call, [&](value* x, value* y) {
-                x[0] = 1;
-                evaluate(x, y);
-            });
-    if constexpr (!row::polarised)
-        if (all_arrays<n + 1>(call.inputs)) return run<value, n + 1, outputs, true>(call, evaluate);
-    run<value, n + 1, outputs>(call, evaluate);
+    if constexpr (!row::polarised) {
+        run_any<value, n + 1, outputs>(call, evaluate);
+    } else if (call.inputs[0].stride == 0 && *call.inputs[0].data == 1) {
+        kernel_call of_vacuum = call;
+        ++of_vacuum.inputs;
+        run_any<value, n, outputs>(of_vacuum, [&](const value* x, value* y) {
+            value all[n + 1];
+            all[0] = 1;
+            for (int k = 0; k < n; ++k)
+                all[k + 1] = x[k];
+            evaluate(all, y);
+        });
+    } else {
+        run<value, n + 1, outputs>(call, evaluate);
+    }
 }
 
 template <std::size_t i, int outputs, class F>

@@ -23,7 +23,7 @@ struct kernel_call {
     std::size_t begin, end; ///< a multiple of the lanes apart
     /// So many results that no cache would keep them; the outputs begin at a multiple of 64 bytes.
     bool past_caches = false;
-    bool fetch_ahead = false;  ///< memory is to be asked for the inputs before they are read
+    bool fetch_ahead = false;  ///< past the caches, memory is to be asked for inputs before they are read
     bool slow_divider = false; ///< the exact models wait for the divider and for little else
 };
 
