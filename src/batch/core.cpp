@@ -136,7 +136,7 @@ refusal make_job(quantity wanted, const batch_model& model, const instruction_se
     if (!run) return {refusal::not_polarised};
 
     job.run = run;
-    job.lanes = kernels.lanes;
+    job.lanes = kernels.models[index].lanes;
     job.input_count = parameters.size() + 1;
     job.output_count = output_count;
     std::copy(parameters.begin(), parameters.end(), job.inputs);
@@ -228,7 +228,7 @@ void run_spectral(const instruction_set& set, const spectral_call& call) noexcep
 }
 
 void run_job(const batch_job& job, std::size_t begin, std::size_t end) noexcept {
-    const std::size_t rest = (end - begin) & (job.lanes - 1); // the lanes are a power of two
+    const std::size_t rest = (end - begin) & (job.lanes - 1);
     if (end - begin > rest) run_whole(job, begin, end - rest);
     if (rest > 0) run_rest(job, end - rest, rest);
 }

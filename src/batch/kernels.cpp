@@ -1,7 +1,7 @@
 // Every model of the registry on arrays, for one instruction set. Compiled once for each, with FRESNEL_ISA_NAMESPACE,
 // FRESNEL_ISA_LANES, FRESNEL_ISA_BATCHES (how many batches are computed side by side; FRESNEL_ISA_EXACT_BATCHES of the
-// exact models, FRESNEL_ISA_POWER_BATCHES of those with pow, FRESNEL_ISA_ANGLES in a spectral table) and FRESNEL_ISA_KERNELS
-// (the name of its table) set. No function of the standard library may be called here: see simd.hpp.
+// exact models, FRESNEL_ISA_LONG_BATCHES of gulbrandsen, FRESNEL_ISA_POWER_BATCHES of those with pow, FRESNEL_ISA_ANGLES in a
+// spectral table) and FRESNEL_ISA_KERNELS (the name of its table) set. No function of the standard library may be called here: see simd.hpp.
 
 #include "batch/kernels.hpp"
 
@@ -15,12 +15,12 @@ namespace {
 using single = batch<float, FRESNEL_ISA_LANES>;
 
 /// How many batches a model's kernel computes side by side: of the exact models, whose roots and divisions wait for each
-/// other, many, as of gulbrandsen, which ends in one, and of one so short that the loop around it counts; of others as
-/// many as the registers hold, which with the steps of pow are few.
+/// other, many, as of one so short that the loop around it counts, and more of gulbrandsen, which takes two roots and ends
+/// in one of them; of others as many as the registers hold, which with the steps of pow are few.
 template <class Row>
 consteval int side_by_side(const Row& row) {
-    if (row.kind == model_kind::exact || row.name == "gulbrandsen" || row.parameters.empty())
-        return FRESNEL_ISA_EXACT_BATCHES;
+    if (row.name == "gulbrandsen") return FRESNEL_ISA_LONG_BATCHES;
+    if (row.kind == model_kind::exact || row.parameters.empty()) return FRESNEL_ISA_EXACT_BATCHES;
     for (const parameter& p : row.parameters)
         if (p.name == "power" || p.name == "alpha") return FRESNEL_ISA_POWER_BATCHES;
     return FRESNEL_ISA_BATCHES;
@@ -33,9 +33,6 @@ consteval int roots_by_products(const Row& row, bool slow_divider) {
     if (row.name == "conductor" || row.name == "conductor_fast") return slow_divider;
     return row.name == "dielectric" || row.name == "dielectric_fast" || row.name == "schlick_internal";
 }
-
-/// What all counts of values are a multiple of.
-constexpr std::size_t most_lanes_at_a_time = std::size_t{FRESNEL_ISA_EXACT_BATCHES} * single::size;
 
 /// How far ahead of its use memory is asked for an input: 1 KiB, by measurement.
 constexpr std::size_t values_ahead = 256;
@@ -140,7 +137,6 @@ FRESNEL_INLINE void run_any(const kernel_call& call, F f) {
 template <class row, int outputs, class F>
 FRESNEL_INLINE void run_row(const kernel_call& call, F f) {
     using value = typename row::number;
-    static_assert(most_lanes_at_a_time % value::size == 0);
     constexpr int n = row::parameters;
     const auto evaluate = [&](const value* x, value* y) { f(row::result(x, x[n]), y); };
     if constexpr (!row::polarised) {
@@ -199,10 +195,12 @@ template <std::size_t i>
 
 template <std::size_t i>
 constexpr model_kernels kernels_of() {
+    constexpr std::size_t lanes = wide_row<i>::number::size;
+    static_assert(lanes <= most_lanes && (lanes & (lanes - 1)) == 0);
     if constexpr (wide_row<i>::polarised)
-        return {&reflectance<i>, &rgb<i>, &polarised<i>, &powers<i>};
+        return {lanes, &reflectance<i>, &rgb<i>, &polarised<i>, &powers<i>};
     else
-        return {&reflectance<i>, &rgb<i>, nullptr, nullptr};
+        return {lanes, &reflectance<i>, &rgb<i>, nullptr, nullptr};
 }
 
 template <class>
@@ -243,8 +241,7 @@ FRESNEL_INLINE void fill_spectral(const spectral_call& call) {
 } // namespace FRESNEL_ISA_NAMESPACE
 
 kernel_table FRESNEL_ISA_KERNELS() {
-    return {most_lanes_at_a_time, every_model::rows, std::size_t{FRESNEL_ISA_ANGLES} * single::size,
-            &spectral};
+    return {every_model::rows, std::size_t{FRESNEL_ISA_ANGLES} * single::size, &spectral};
 }
 
 } // namespace fresnel

@@ -20,7 +20,7 @@ inline constexpr std::size_t values_past_caches = std::size_t{1} << 22;
 struct kernel_call {
     const batch_argument* inputs; ///< the parameters (for rgb those of red, of green, of blue), then cos_i
     float* const* outputs;
-    std::size_t begin, end; ///< a multiple of the lanes apart
+    std::size_t begin, end; ///< a multiple of the model's lanes apart
     /// So many results that no cache would keep them; the outputs begin at a multiple of 64 bytes.
     bool past_caches = false;
     bool fetch_ahead = false;  ///< past the caches, memory is to be asked for inputs before they are read
@@ -31,6 +31,7 @@ using kernel = void (*)(const kernel_call&);
 
 /// The kernels of one model.
 struct model_kernels {
+    std::size_t lanes;  ///< what a call computes is a multiple of it, a power of two
     kernel reflectance; ///< 1 output: unpolarised R
     kernel rgb;         ///< 3 outputs: R of each channel
     kernel polarised;   ///< 2 outputs: R_s, R_p; null for a model without polarisation
@@ -51,7 +52,6 @@ struct spectral_call {
 
 /// What is compiled once for each instruction set.
 struct kernel_table {
-    std::size_t lanes;           ///< what a kernel_call computes is a multiple of it
     const model_kernels* models; ///< in the registry's order
     std::size_t spectral_lanes;
     void (*spectral)(const spectral_call&);
