@@ -257,6 +257,12 @@ TEST(batch, vacuum_outside_gives_the_same_bits_as_an_array_of_ones) {
     });
 }
 
+/// The first element at a multiple of 64 bytes, which is one of the first sixteen.
+float* first_aligned(floats& values) {
+    const std::size_t misplaced = reinterpret_cast<std::uintptr_t>(values.data()) % 64 / sizeof(float);
+    return values.data() + (16 - misplaced) % 16;
+}
+
 /// R, and for exact models R_s, R_p, T_s, T_p, of kernels that are told what a processor with a slow divider and arrays
 /// past its caches would tell them.
 void expect_same_bits_however_called(const points& at, const std::vector<batch_argument>& inputs,
@@ -269,16 +275,15 @@ void expect_same_bits_however_called(const points& at, const std::vector<batch_a
         const model_kernels& kernels = set.kernels().models[model];
         const auto run = [&](kernel kernel, std::size_t parts, kernel_call call) {
             floats all(parts * at.size() + 16);
-            const std::size_t misplaced = reinterpret_cast<std::uintptr_t>(all.data()) % 64 / sizeof(float);
-            const auto first = all.begin() + static_cast<std::ptrdiff_t>((16 - misplaced) % 16);
+            float* const first = first_aligned(all);
             float* outputs[4] = {};
             for (std::size_t k = 0; k < parts; ++k)
-                outputs[k] = &*first + k * at.size();
+                outputs[k] = first + k * at.size();
             call.inputs = inputs.data();
             call.outputs = outputs;
             call.end = at.size();
             kernel(call);
-            return floats(first, first + static_cast<std::ptrdiff_t>(parts * at.size()));
+            return floats(first, first + parts * at.size());
         };
         for (const bool past_caches : {false, true})
             for (const bool fetch_ahead : {false, true})
@@ -326,8 +331,7 @@ TEST(batch, so_many_results_that_they_pass_the_caches_are_the_same) {
         evaluate(0, count / 2, expected.data(), set);
         evaluate(count / 2, count - count / 2, expected.data() + count / 2, set);
         for (const std::size_t place : {0u, 1u}) { // at a multiple of 64 bytes, and not
-            const std::size_t misplaced = reinterpret_cast<std::uintptr_t>(R.data()) % 64 / sizeof(float);
-            float* const to = R.data() + (16 - misplaced) % 16 + place;
+            float* const to = first_aligned(R) + place;
             evaluate(0, count, to, set);
             EXPECT_TRUE(std::equal(expected.begin(), expected.end(), to)) << set << ' ' << place;
         }
