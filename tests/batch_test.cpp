@@ -263,8 +263,8 @@ float* first_aligned(floats& values) {
     return values.data() + (16 - misplaced) % 16;
 }
 
-/// R, and for exact models R_s, R_p, T_s, T_p, of kernels that are told what a processor with a slow divider and arrays
-/// past its caches would tell them.
+/// R, and for exact models R_s, R_p, T_s, T_p, of kernels that are told what arrays past a processor's caches
+/// would tell them.
 void expect_same_bits_however_called(const points& at, const std::vector<batch_argument>& inputs,
                                      std::size_t model, bool polarised) {
     const floats expected = reflectances(at, one_thread("scalar"));
@@ -286,14 +286,13 @@ void expect_same_bits_however_called(const points& at, const std::vector<batch_a
             return floats(first, first + parts * at.size());
         };
         for (const bool past_caches : {false, true})
-            for (const bool fetch_ahead : {false, true})
-                for (const bool slow_divider : {false, true}) {
-                    const kernel_call call{nullptr, nullptr, 0, 0, past_caches, fetch_ahead, slow_divider};
-                    EXPECT_TRUE(identical(at, run(kernels.reflectance, 1, call), expected));
-                    if (polarised) {
-                        EXPECT_TRUE(identical(at, run(kernels.powers, 4, call), expected_parts));
-                    }
+            for (const bool fetch_ahead : {false, true}) {
+                const kernel_call call{nullptr, nullptr, 0, 0, past_caches, fetch_ahead};
+                EXPECT_TRUE(identical(at, run(kernels.reflectance, 1, call), expected));
+                if (polarised) {
+                    EXPECT_TRUE(identical(at, run(kernels.powers, 4, call), expected_parts));
                 }
+            }
     }
 }
 
@@ -447,28 +446,6 @@ TEST(batch, a_spectral_table_adds_the_weighted_reflectances_of_its_wavelengths) 
                 EXPECT_EQ(rgb[channel][angles], guard);
             }
         }
-    }
-    for (const instruction_set& set : built_instruction_sets()) {
-        if (!set.supported()) continue;
-        const kernel_table kernels = set.kernels();
-        const std::size_t angles = kernels.spectral_lanes;
-        const floats cos_i = draw(angles, 0, 1);
-        floats rgb[2][3] = {{floats(angles), floats(angles), floats(angles)},
-                            {floats(angles), floats(angles), floats(angles)}};
-        for (const bool slow_divider : {false, true}) {
-            floats* const to = rgb[slow_divider];
-            kernels.spectral({n.data(),
-                              k.data(),
-                              {weights[0].data(), weights[1].data(), weights[2].data()},
-                              wavelengths,
-                              1.25f,
-                              cos_i.data(),
-                              {to[0].data(), to[1].data(), to[2].data()},
-                              angles,
-                              slow_divider});
-        }
-        for (int channel = 0; channel < 3; ++channel)
-            EXPECT_EQ(rgb[0][channel], rgb[1][channel]) << set.name;
     }
     EXPECT_EQ(refusal([&] { spectral_table({n, {}, {}}, {}, {}); }),
               "k_t has 0 wavelengths: must be as many as n_t has, 81");

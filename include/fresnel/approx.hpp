@@ -245,16 +245,36 @@ T gulbrandsen_limit() {
     return ratio<T, 9999, 10000>();
 }
 
-/// The index n + i k, relative to the ambient medium, of `gulbrandsen`.
+/// The indices of `gulbrandsen`, of the ambient medium and behind, all times 1 - r^2, which spares divisions.
 template <class T>
-complex<T> gulbrandsen_index(T r, T g) {
+struct artist_indices {
+    T n_i, n, k;
+};
+
+template <class T>
+artist_indices<T> gulbrandsen_indices(T r, T g) {
     const T f0 = let("f0", min(r, gulbrandsen_limit<T>()) + tiny<T>(), "2^-80 keeps its root's slope finite");
-    const T n_max = let("n_max", eta_from_f0(f0));
-    const T n_min = let("n_min", (1 - f0) / (1 + f0));
+    const T root = let("root", sqrt(f0));
+    const T one_minus_f0 = let("one_minus_f0", 1 - f0);
+    const T one_plus_f0 = let("one_plus_f0", 1 + f0);
+    const T one_plus_root = let("one_plus_root", 1 + root);
+    const T one_minus_root = let("one_minus_root", 1 - root);
+
+    const T n_i = let("n_i", one_minus_f0 * one_plus_f0, "indices, all times 1 - f0^2\n");
+    const T n_max = let("n_max", one_plus_root * one_plus_root * one_plus_f0);
+    const T n_min = let("n_min", one_minus_f0 * one_minus_f0);
+    const T n_0 = let("n_0", one_minus_root * one_minus_root * one_plus_f0, "1 / n_max; k is 0 at both");
     const T n =
         let("n", n_max * (1 - g) + n_min * g); // the other form of a mix is 0 at g = 1 where n_max is large
-    const T k = let("k", sqrt(max((n_max - n) * (n - sin_critical(f0)), T(0)) + tiny<T>()));
-    return {n, k};
+    const T k = let("k", sqrt(max((n_max - n) * (n - n_0), T(0)) + tiny<T>()));
+    return {n_i, n, k};
+}
+
+/// The index n + i k, relative to the ambient medium, that `gulbrandsen` stands for.
+template <class T>
+complex<T> gulbrandsen_index(T r, T g) {
+    const auto [n_i, n, k] = gulbrandsen_indices(r, g);
+    return {n / n_i, k / n_i};
 }
 
 /// An index from two artist's colours, then the exact equations.
@@ -268,8 +288,8 @@ complex<T> gulbrandsen_index(T r, T g) {
 ///         factored by its roots in n
 template <class T>
 T gulbrandsen(T r, T g, T cos_i) {
-    const complex<T> m = gulbrandsen_index(r, g);
-    return conductor(T(1), m.re, m.im, cos_i).reflectance();
+    const auto [n_i, n, k] = gulbrandsen_indices(r, g);
+    return conductor(n_i, n, k, cos_i).reflectance();
 }
 
 /// Schlick's approximation at cos_i = 1/7, where f82 is.

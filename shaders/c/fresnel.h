@@ -1177,23 +1177,32 @@ static inline fresnel_float3 lazanyi_rgb_dir(fresnel_float3 n, fresnel_float3 k,
 // g       edge tint, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
 // error   at most 1e-13, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
-// cost    99 operations
+// cost    96 operations
 // source  Gulbrandsen 2014, Artist Friendly Metallic Fresnel
 static inline float gulbrandsen(float r, float g, float cos_i) {
     const float f0 = fminf(r, 0.9999f) + 8.271806e-25f; // 2^-80 keeps its root's slope finite
-    const float p = 1.0f + sqrtf(f0);
-    const float p2 = p * p;
+    const float root = sqrtf(f0);
     const float one_minus_f0 = 1.0f - f0;
-    const float n_max = p2 / one_minus_f0;
-    const float n_min = one_minus_f0 / (1.0f + f0);
+    const float one_plus_f0 = 1.0f + f0;
+    const float one_plus_root = 1.0f + root;
+    const float one_minus_root = 1.0f - root;
+
+    // indices, all times 1 - f0^2
+    const float n_i = one_minus_f0 * one_plus_f0;
+    const float n_max = one_plus_root * one_plus_root * one_plus_f0;
+    const float n_min = one_minus_f0 * one_minus_f0;
+    const float n_0 = one_minus_root * one_minus_root * one_plus_f0; // 1 / n_max; k is 0 at both
     const float n = n_max * (1.0f - g) + n_min * g;
-    const float k = sqrtf(fmaxf((n_max - n) * (n - one_minus_f0 / p2), 0.0f) + 8.271806e-25f);
-    const float c2 = cos_i * cos_i;
-    const float sin2 = 1.0f - c2;
-    const float s4 = sin2 * sin2;
+    const float k = sqrtf(fmaxf((n_max - n) * (n - n_0), 0.0f) + 8.271806e-25f);
+    const float c = n_i * cos_i;
+    const float c2 = c * c;
+    const float cos2 = cos_i * cos_i;
+    const float sin2 = 1.0f - cos2;
+    const float s2 = n_i * sin2;
+    const float s4 = s2 * s2;
 
     // Snell
-    const float E = (n - 1.0f) * (n + 1.0f) - k * k; // Re m^2 - n_i^2, m the complex index
+    const float E = (n - n_i) * (n + n_i) - k * k; // Re m^2 - n_i^2, m the complex index
     const float Z = 2.0f * (n * k); // Im m^2
     const float Z2 = Z * Z;
     const float t0 = E + c2; // q^2 = t0 + i Z
@@ -1203,7 +1212,7 @@ static inline float gulbrandsen(float r, float g, float cos_i) {
     const float a = t0 <= 0.0f ? Z : S; // u Re q
 
     // s-polarised, across the plane of incidence
-    const float h = 2.0f * (a * cos_i);
+    const float h = 2.0f * (a * c);
     const float F = (E * E + Z2) * S; // S |c - q|^2 |c + q|^2
     const float G_s = (A + c2) * u + h;
     const float D_s = fmaxf(F + h * G_s, 1.1754944e-38f); // S |c + q|^4; 0 only for equal media at cos_i = 0
@@ -1211,11 +1220,11 @@ static inline float gulbrandsen(float r, float g, float cos_i) {
 
     // p-polarised, along it
     const float h_p = h * sin2;
-    const float N = t0 * c2 - s4;
-    const float M = Z * c2;
+    const float N = t0 * cos2 - s4;
+    const float M = Z * cos2;
     const float M2 = M * M + 8.4703295e-22f; // above 0, so that D_p is
     const float B = (N * N + M2) * S; // S |q c - s^2|^2 |q c + s^2|^2
-    const float G_p = (A * c2 + s4) * u + h_p;
+    const float G_p = (A * cos2 + s4) * u + h_p;
     const float D_p = B + h_p * G_p; // S |q c + s^2|^4
     const float R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0f;

@@ -1121,23 +1121,32 @@ FRESNEL_FUNCTION float3 lazanyi(float3 n, float3 k, float3 a, float3 alpha, floa
 // g       edge tint, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
 // error   at most 1e-13, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
-// cost    99 operations
+// cost    96 operations
 // source  Gulbrandsen 2014, Artist Friendly Metallic Fresnel
 FRESNEL_FUNCTION float gulbrandsen(float r, float g, float cos_i) {
     float f0 = fminf(r, 0.9999f) + 8.271806e-25f; // 2^-80 keeps its root's slope finite
-    float p = 1.0f + sqrtf(f0);
-    float p2 = p * p;
+    float root = sqrtf(f0);
     float one_minus_f0 = 1.0f - f0;
-    float n_max = p2 / one_minus_f0;
-    float n_min = one_minus_f0 / (1.0f + f0);
+    float one_plus_f0 = 1.0f + f0;
+    float one_plus_root = 1.0f + root;
+    float one_minus_root = 1.0f - root;
+
+    // indices, all times 1 - f0^2
+    float n_i = one_minus_f0 * one_plus_f0;
+    float n_max = one_plus_root * one_plus_root * one_plus_f0;
+    float n_min = one_minus_f0 * one_minus_f0;
+    float n_0 = one_minus_root * one_minus_root * one_plus_f0; // 1 / n_max; k is 0 at both
     float n = n_max * (1.0f - g) + n_min * g;
-    float k = sqrtf(fmaxf((n_max - n) * (n - one_minus_f0 / p2), 0.0f) + 8.271806e-25f);
-    float c2 = cos_i * cos_i;
-    float sin2 = 1.0f - c2;
-    float s4 = sin2 * sin2;
+    float k = sqrtf(fmaxf((n_max - n) * (n - n_0), 0.0f) + 8.271806e-25f);
+    float c = n_i * cos_i;
+    float c2 = c * c;
+    float cos2 = cos_i * cos_i;
+    float sin2 = 1.0f - cos2;
+    float s2 = n_i * sin2;
+    float s4 = s2 * s2;
 
     // Snell
-    float E = (n - 1.0f) * (n + 1.0f) - k * k; // Re m^2 - n_i^2, m the complex index
+    float E = (n - n_i) * (n + n_i) - k * k; // Re m^2 - n_i^2, m the complex index
     float Z = 2.0f * (n * k); // Im m^2
     float Z2 = Z * Z;
     float t0 = E + c2; // q^2 = t0 + i Z
@@ -1147,7 +1156,7 @@ FRESNEL_FUNCTION float gulbrandsen(float r, float g, float cos_i) {
     float a = t0 <= 0.0f ? Z : S; // u Re q
 
     // s-polarised, across the plane of incidence
-    float h = 2.0f * (a * cos_i);
+    float h = 2.0f * (a * c);
     float F = (E * E + Z2) * S; // S |c - q|^2 |c + q|^2
     float G_s = (A + c2) * u + h;
     float D_s = fmaxf(F + h * G_s, 1.1754944e-38f); // S |c + q|^4; 0 only for equal media at cos_i = 0
@@ -1155,11 +1164,11 @@ FRESNEL_FUNCTION float gulbrandsen(float r, float g, float cos_i) {
 
     // p-polarised, along it
     float h_p = h * sin2;
-    float N = t0 * c2 - s4;
-    float M = Z * c2;
+    float N = t0 * cos2 - s4;
+    float M = Z * cos2;
     float M2 = M * M + 8.4703295e-22f; // above 0, so that D_p is
     float B = (N * N + M2) * S; // S |q c - s^2|^2 |q c + s^2|^2
-    float G_p = (A * c2 + s4) * u + h_p;
+    float G_p = (A * cos2 + s4) * u + h_p;
     float D_p = B + h_p * G_p; // S |q c + s^2|^4
     float R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0f;

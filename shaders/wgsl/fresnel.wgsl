@@ -1163,23 +1163,32 @@ fn lazanyi_rgb_dir(n: vec3f, k: vec3f, a: vec3f, alpha: vec3f, normal: vec3f, di
 // g       edge tint, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
 // error   at most 1e-13, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
-// cost    99 operations
+// cost    96 operations
 // source  Gulbrandsen 2014, Artist Friendly Metallic Fresnel
 fn gulbrandsen(r: f32, g: f32, cos_i: f32) -> f32 {
     let f0 = min(r, 0.9999) + 8.271806e-25; // 2^-80 keeps its root's slope finite
-    let p = 1.0 + sqrt(f0);
-    let p2 = p * p;
+    let root = sqrt(f0);
     let one_minus_f0 = 1.0 - f0;
-    let n_max = p2 / one_minus_f0;
-    let n_min = one_minus_f0 / (1.0 + f0);
+    let one_plus_f0 = 1.0 + f0;
+    let one_plus_root = 1.0 + root;
+    let one_minus_root = 1.0 - root;
+
+    // indices, all times 1 - f0^2
+    let n_i = one_minus_f0 * one_plus_f0;
+    let n_max = one_plus_root * one_plus_root * one_plus_f0;
+    let n_min = one_minus_f0 * one_minus_f0;
+    let n_0 = one_minus_root * one_minus_root * one_plus_f0; // 1 / n_max; k is 0 at both
     let n = n_max * (1.0 - g) + n_min * g;
-    let k = sqrt(max((n_max - n) * (n - one_minus_f0 / p2), 0.0) + 8.271806e-25);
-    let c2 = cos_i * cos_i;
-    let sin2 = 1.0 - c2;
-    let s4 = sin2 * sin2;
+    let k = sqrt(max((n_max - n) * (n - n_0), 0.0) + 8.271806e-25);
+    let c = n_i * cos_i;
+    let c2 = c * c;
+    let cos2 = cos_i * cos_i;
+    let sin2 = 1.0 - cos2;
+    let s2 = n_i * sin2;
+    let s4 = s2 * s2;
 
     // Snell
-    let E = (n - 1.0) * (n + 1.0) - k * k; // Re m^2 - n_i^2, m the complex index
+    let E = (n - n_i) * (n + n_i) - k * k; // Re m^2 - n_i^2, m the complex index
     let Z = 2.0 * (n * k); // Im m^2
     let Z2 = Z * Z;
     let t0 = E + c2; // q^2 = t0 + i Z
@@ -1189,7 +1198,7 @@ fn gulbrandsen(r: f32, g: f32, cos_i: f32) -> f32 {
     let a = select(S, Z, t0 <= 0.0); // u Re q
 
     // s-polarised, across the plane of incidence
-    let h = 2.0 * (a * cos_i);
+    let h = 2.0 * (a * c);
     let F = (E * E + Z2) * S; // S |c - q|^2 |c + q|^2
     let G_s = (A + c2) * u + h;
     let D_s = max(F + h * G_s, 1.1754944e-38); // S |c + q|^4; 0 only for equal media at cos_i = 0
@@ -1197,11 +1206,11 @@ fn gulbrandsen(r: f32, g: f32, cos_i: f32) -> f32 {
 
     // p-polarised, along it
     let h_p = h * sin2;
-    let N = t0 * c2 - s4;
-    let M = Z * c2;
+    let N = t0 * cos2 - s4;
+    let M = Z * cos2;
     let M2 = M * M + 8.4703295e-22; // above 0, so that D_p is
     let B = (N * N + M2) * S; // S |q c - s^2|^2 |q c + s^2|^2
-    let G_p = (A * c2 + s4) * u + h_p;
+    let G_p = (A * cos2 + s4) * u + h_p;
     let D_p = B + h_p * G_p; // S |q c + s^2|^4
     let R_p = R_s * (B / D_p);
     return (R_s + R_p) / 2.0;

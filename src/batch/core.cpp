@@ -154,8 +154,7 @@ refusal make_job(quantity wanted, const batch_model& model, const instruction_se
 
 namespace {
 
-/// Intel's processors stop fetching ahead by themselves at the end of each page, where AMD's lose by being told to; and
-/// their dividers are half as fast as AMD's.
+/// Intel's processors stop fetching ahead by themselves at the end of each page, where AMD's lose by being told to.
 bool is_intel() noexcept {
 #if defined(__x86_64__)
     return __builtin_cpu_is("intel");
@@ -172,7 +171,6 @@ struct lane_buffer {
 /// Whole batches straight from and to the arrays.
 void run_whole(const batch_job& job, std::size_t begin, std::size_t end) noexcept {
     kernel_call call{job.inputs, job.outputs, begin, end};
-    call.slow_divider = is_intel();
     if (end - begin >= values_past_caches) {
         call.past_caches = std::all_of(job.outputs, job.outputs + job.output_count, [=](const float* p) {
             return reinterpret_cast<std::uintptr_t>(p + begin) % 64 == 0;
@@ -207,7 +205,6 @@ void run_rest(const batch_job& job, std::size_t begin, std::size_t count) noexce
 void run_spectral(const instruction_set& set, const spectral_call& call) noexcept {
     const kernel_table kernels = set.kernels();
     spectral_call whole = call;
-    whole.slow_divider = is_intel();
     whole.angles = call.angles / kernels.spectral_lanes * kernels.spectral_lanes;
     kernels.spectral(whole);
     const std::size_t rest = call.angles - whole.angles;

@@ -16,22 +16,23 @@ namespace {
 using single = batch<float, FRESNEL_ISA_LANES>;
 
 /// How many batches a model's kernel computes side by side: of the exact models, whose roots and divisions wait for each
-/// other, many, as of one so short that the loop around it counts, and more of gulbrandsen, which takes two roots and ends
-/// in one of them; of others as many as the registers hold, which with the steps of pow are few.
+/// other, many, as of two more whose steps do, and of one so short that the loop around it counts; more of gulbrandsen,
+/// which takes two roots and ends in one of them; of others as many as the registers hold, which with the steps of pow
+/// are few.
 template <class Row>
 consteval int side_by_side(const Row& row) {
     if (row.name == "gulbrandsen") return FRESNEL_ISA_LONG_BATCHES;
     if (row.kind == model_kind::exact || row.parameters.empty()) return FRESNEL_ISA_EXACT_BATCHES;
+    if (row.name == "powers_3_6_9" || row.name == "spherical_gaussian") return FRESNEL_ISA_EXACT_BATCHES;
     for (const parameter& p : row.parameters)
         if (p.name == "power" || p.name == "alpha") return FRESNEL_ISA_POWER_BATCHES;
     return FRESNEL_ISA_BATCHES;
 }
 
 /// How many of those batches take their roots by products, beside the divider: one of four where everything waits for it,
-/// as in models of one root and two divisions; in those of two roots only where it is slow beside the rest.
+/// as in models of one root and two divisions.
 template <class Row>
-consteval int roots_by_products(const Row& row, bool slow_divider) {
-    if (row.name == "conductor" || row.name == "conductor_fast") return slow_divider;
+consteval int roots_by_products(const Row& row) {
     return row.name == "dielectric" || row.name == "dielectric_fast" || row.name == "schlick_internal";
 }
 
@@ -120,9 +121,9 @@ struct row_at {
     }
 };
 
-template <std::size_t i, bool slow_divider = false>
-using wide_row = row_at<i, wide<single, side_by_side(std::get<i>(registry)),
-                                roots_by_products(std::get<i>(registry), slow_divider)>>;
+template <std::size_t i>
+using wide_row =
+    row_at<i, wide<single, side_by_side(std::get<i>(registry)), roots_by_products(std::get<i>(registry))>>;
 
 /// `run`, with the loop of those whose steps are known where they are.
 template <class value, int inputs, int outputs, class F>
@@ -135,8 +136,9 @@ FRESNEL_INLINE void run_any(const kernel_call& call, F f) {
 
 /// Runs f(result, outputs) with what the model of a row gives. Where the medium outside is vacuum, n_i = 1 for all of
 /// a call, multiplications by it are left out, which changes no bit.
-template <class row, int outputs, class F>
+template <std::size_t i, int outputs, class F>
 FRESNEL_INLINE void run_row(const kernel_call& call, F f) {
+    using row = wide_row<i>;
     using value = typename row::number;
     constexpr int n = row::parameters;
     const auto evaluate = [&](const value* x, value* y) { f(row::result(x, x[n]), y); };
@@ -155,14 +157,6 @@ FRESNEL_INLINE void run_row(const kernel_call& call, F f) {
     } else {
         run<value, n + 1, outputs>(call, evaluate);
     }
-}
-
-template <std::size_t i, int outputs, class F>
-FRESNEL_INLINE void run_row(const kernel_call& call, F f) {
-    using other = wide_row<i, true>;
-    if constexpr (has_root_by_products<single> && !std::is_same_v<other, wide_row<i>>)
-        if (call.slow_divider) return run_row<other, outputs>(call, f);
-    run_row<wide_row<i>, outputs>(call, f);
 }
 
 template <std::size_t i>
@@ -215,8 +209,8 @@ struct table<std::index_sequence<i...>> {
 using every_model = table<std::make_index_sequence<std::tuple_size_v<decltype(registry)>>>;
 
 /// A spectral table, many angles at a time: they share what depends on the wavelength alone.
-template <class angles>
-FRESNEL_INLINE void fill_spectral(const spectral_call& call) {
+[[gnu::flatten]] void spectral(const spectral_call& call) {
+    using angles = wide<single, FRESNEL_ISA_ANGLES>;
     const angles n_i = angles::broadcast(call.n_i);
     for (std::size_t begin = 0; begin < call.angles; begin += angles::size) {
         const angles cos_i = angles::load(call.cos_i + begin);
@@ -230,12 +224,6 @@ FRESNEL_INLINE void fill_spectral(const spectral_call& call) {
         for (int channel = 0; channel < 3; ++channel)
             sum[channel].store(call.rgb[channel] + begin);
     }
-}
-
-[[gnu::flatten]] void spectral(const spectral_call& call) {
-    if constexpr (has_root_by_products<single>)
-        if (call.slow_divider) return fill_spectral<wide<single, FRESNEL_ISA_ANGLES, 1>>(call);
-    fill_spectral<wide<single, FRESNEL_ISA_ANGLES>>(call);
 }
 
 } // namespace

@@ -23,8 +23,7 @@ struct kernel_call {
     std::size_t begin, end; ///< a multiple of the model's lanes apart
     /// So many results that no cache would keep them; the outputs begin at a multiple of 64 bytes.
     bool past_caches = false;
-    bool fetch_ahead = false;  ///< past the caches, memory is to be asked for inputs before they are read
-    bool slow_divider = false; ///< the exact models wait for the divider and for little else
+    bool fetch_ahead = false; ///< past the caches, memory is to be asked for inputs before they are read
 };
 
 using kernel = void (*)(const kernel_call&);
@@ -47,7 +46,6 @@ struct spectral_call {
     const float* cos_i; ///< for each angle
     float* rgb[3];      ///< for each angle
     std::size_t angles; ///< for a kernel a multiple of its spectral_lanes
-    bool slow_divider = false;
 };
 
 /// What is compiled once for each instruction set.
