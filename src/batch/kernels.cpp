@@ -1,8 +1,8 @@
 // Every model of the registry on arrays, for one instruction set. Compiled once for each, with FRESNEL_ISA_NAMESPACE,
 // FRESNEL_ISA_LANES, FRESNEL_ISA_BATCHES (how many batches are computed side by side; FRESNEL_ISA_EXACT_BATCHES of the
-// exact models, FRESNEL_ISA_LONG_BATCHES of gulbrandsen, FRESNEL_ISA_POWER_BATCHES of those with pow, FRESNEL_ISA_ANGLES in a
-// spectral table) and FRESNEL_ISA_KERNELS (the name of its table) set. No function of the standard library may be called
-// here: see simd.hpp.
+// exact models and a few more, FRESNEL_ISA_LONG_BATCHES of gulbrandsen, FRESNEL_ISA_POWER_BATCHES of those with pow,
+// FRESNEL_ISA_ANGLES in a spectral table) and FRESNEL_ISA_KERNELS (the name of its table) set. No function of the standard
+// library may be called here: see simd.hpp.
 
 #include "batch/kernels.hpp"
 
