@@ -128,6 +128,16 @@ TEST(dual, obeys_the_rules_of_differentiation) {
     EXPECT_EQ(pow(number(0), y).d[1], 0);
 }
 
+TEST(dual, of_nothing_times_an_infinite_slope_is_0) {
+    using number = dual<double, 1>;
+    const number c = number::variable(1, 0);
+    const auto fixed = [](double x) { return number::constant(x); };
+    EXPECT_EQ(schlick_power(fixed(0.5), fixed(0.5), fixed(0.5), c).d[0], 0);
+    EXPECT_TRUE(std::isfinite(lazanyi(fixed(2), fixed(3), fixed(0), fixed(0.5), c).d[0]));
+    EXPECT_EQ(bias_scale_power(fixed(0.5), fixed(0), fixed(0.5), c).d[0], 0);
+    EXPECT_TRUE(std::isinf(schlick_power(fixed(0.2), fixed(0.5), fixed(0.5), c).d[0])) << "a true one";
+}
+
 TEST(dual, works_in_float_and_in_60_digits) {
     using narrow = dual<float, 1>;
     using wide = dual<real50, 1>;

@@ -201,14 +201,14 @@ struct promise {
 constexpr double no = std::numeric_limits<double>::infinity(); // no promise, or not a dielectric
 
 constexpr std::array<promise, input_classes.size()> promises = {{
-    {{1e-6, 5e-6, 7e-7, 1e-4, 7e-7}, {8e-7, 7e-7, 7e-7, 7e-7, 7e-7}}, // external dielectric
+    {{1e-6, 8e-6, 7e-7, 2e-4, 7e-7}, {8e-7, 7e-7, 7e-7, 7e-7, 7e-7}}, // external dielectric
     {{6e-6, 1e-5, 6e-6, 1e-4, 7e-7}, {6e-6, 6e-6, 6e-6, 6e-6, 4e-7}}, // internal dielectric
     {{2e-6, no, 2e-6, no, 9e-7}, {3e-6, no, 3e-6, no, 5e-7}},         // index match
     {{6e-6, 2e-5, 6e-6, 2e-5, 6e-7}, {6e-6, 2e-5, 6e-6, 2e-5, 4e-7}}, // near TIR
     {{1e-6, 6e-7, 5e-7, 5e-7, 6e-7}, {9e-7, 8e-7, 8e-7, 7e-7, 8e-7}}, // grazing
     {{4e-6, 4e-6, 4e-6, 1e-4, 7e-7}, {4e-6, 2e-6, 5e-6, 4e-6, 6e-7}}, // Brewster
-    {{no, no, 4e-7, 3e-6, 5e-7}, {no, no, 7e-7, 7e-4, 7e-7}},         // metals
-    {{no, no, 7e-7, 1e-4, 7e-7}, {no, no, 7e-7, 7e-7, 7e-7}},         // weak k
+    {{no, no, 4e-7, 6e-6, 5e-7}, {no, no, 7e-7, 7e-4, 7e-7}},         // metals
+    {{no, no, 7e-7, 2e-4, 7e-7}, {no, no, 7e-7, 7e-7, 7e-7}},         // weak k
     {{no, no, 4e-6, 8e-4, 7e-7}, {no, no, 2e-5, no, 6e-7}},           // weak k, internal
     {{no, no, 3e-7, 4e-4, 3e-7}, {no, no, 8e-7, no, 7e-7}},           // n << k
     {{no, no, 2e-6, 6e-6, 6e-7}, {no, no, 4e-6, 3e-4, 6e-7}},         // n = k < 1
@@ -231,6 +231,25 @@ TEST(exact_forms, float32_errors_stay_within_the_documented_promise_of_each_clas
             EXPECT_LE(w.T_near, at_critical) << form_names[form] << ", " << input_classes[c].name;
         }
     expect_condition_bound(table);
+}
+
+TEST(exact_forms, float32_errors_stay_within_the_promise_where_a_search_found_the_largest) {
+    const auto relative = [](auto form, auto... x) {
+        const real50 exact = form(real50(x)...).reflectance();
+        return std::abs(static_cast<double>(real50(form(x...).reflectance()) / exact - 1));
+    };
+    const auto fast = [](auto... x) { return dielectric_fast(x...); };
+    const auto fast_conductor = [](auto... x) { return conductor_fast(x...); };
+    const auto plain = [](auto... x) { return dielectric(x...); };
+    EXPECT_LE(relative(fast, 0.5024188756942749f, 0.5278820991516113f, 0.9962047934532166f), 8e-6);
+    EXPECT_LE(relative(fast, 2.02724481f, 2.13645816f, 0.999352276f), 8e-6);
+    EXPECT_LE(relative(fast_conductor, 1.0120315551757812f, 1.062668800354004f, 0.0f, 0.9912281036376953f),
+              2e-4);
+    EXPECT_LE(relative(fast_conductor, 0.9889167547225952f, 0.04954538866877556f, 9.844799995422363f,
+                       0.07710164040327072f),
+              6e-6);
+    EXPECT_LE(relative(plain, 2.0669026374816895f, 0.2082604467868805f, 0.9949108958244324f), 0.1)
+        << "at a critical angle";
 }
 
 TEST(exact_forms, float64_errors_stay_below_1e_12_away_from_the_critical_angle) {

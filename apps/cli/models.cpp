@@ -33,7 +33,10 @@ nlohmann::json to_json(const model_row<double>& row) {
             {"parameters", parameters},
             {"citation", row.citation},
             {"domain", row.domain},
-            {"error", {{"max", row.error.max}, {"over", row.error.over}, {"basis", "measured"}}},
+            {"error",
+             {{"max", row.error.max},
+              {"over", row.error.over},
+              {"basis", can_prove(row.error.over) ? "certified" : "measured"}}},
             {"operations", count.cost()},
             {"cost", costs_json(row.name)}};
 }
@@ -71,7 +74,7 @@ void print_all(const std::vector<model_row<double>>& rows) {
     fmt::print("{:<19} {:<14} {:<20} {:>9} {:>5}  {}\n", "model", "kind", "parameters", "max error", "cost",
                "over");
     for (const model_row<double>& row : rows)
-        fmt::print("{:<19} {:<14} {:<20} {:>9.2g} {:>5}  {}\n", row.name, to_string(row.kind),
+        fmt::print("{:<19} {:<14} {:<20} {:>9.3g} {:>5}  {}\n", row.name, to_string(row.kind),
                    parameter_names(row), row.error.max, count_operations(row.name).cost(), row.error.over);
 }
 

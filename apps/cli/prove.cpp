@@ -20,11 +20,21 @@ struct options {
 
 nlohmann::json pair(const certified& value) { return {value.lo, value.hi}; }
 
+nlohmann::json object(const std::vector<std::pair<std::string, double>>& values) {
+    nlohmann::json all = nlohmann::json::object();
+    for (const auto& [name, value] : values)
+        all[name] = value;
+    return all;
+}
+
 nlohmann::json to_json(const certificate& c) {
-    nlohmann::json at = nlohmann::json::object();
-    for (const auto& [name, value] : c.at)
-        at[name] = value;
+    nlohmann::json at = object(c.at), metals = nlohmann::json::array();
     if (!c.material.empty()) at["material"] = c.material;
+    for (const certified_metal& m : c.metals)
+        metals.push_back({{"material", m.name},
+                          {"wavelength_nm", m.wavelength_nm},
+                          {"absolute", pair(m.absolute)},
+                          {"at", object(m.at)}});
     return {{"model", c.model},
             {"domain", c.domain},
             {"absolute", pair(c.absolute)},
@@ -32,7 +42,10 @@ nlohmann::json to_json(const certificate& c) {
             {"relative_as_eta_goes_to_1",
              c.unbounded_near_match ? nlohmann::json("unbounded") : nlohmann::json()},
             {"at", at},
-            {"rounding_float32", c.rounding_float32},
+            {"metals", c.metals.empty() ? nlohmann::json() : metals},
+            {"rounding_float32", c.rounding_bound.value_or(c.rounding_found)},
+            {"rounding_found", c.rounding_found},
+            {"rounding_at", object(c.rounding_at)},
             {"rounding_bound", c.rounding_bound ? nlohmann::json(*c.rounding_bound) : nlohmann::json()},
             {"proved", c.proved}};
 }
@@ -43,8 +56,8 @@ void print(const certificate& c) {
         at += fmt::format("{}{} = {:.4f}", at.empty() ? "" : ", ", name, value);
     if (!c.material.empty()) at += ", " + c.material;
     const std::string rounding = c.rounding_bound
-                                     ? fmt::format("[{:.1e}, {:.1e}]", c.rounding_float32, *c.rounding_bound)
-                                     : fmt::format("≥ {:.1e}", c.rounding_float32);
+                                     ? fmt::format("[{:.1e}, {:.1e}]", c.rounding_found, *c.rounding_bound)
+                                     : fmt::format("≥ {:.1e}", c.rounding_found);
     if (c.proved)
         fmt::print("{:<20} [{:.6f}, {:.6f}]  {:<20} {:<19} {}\n", c.model, c.absolute.lo, c.absolute.hi,
                    fmt::format("[{:.4f}, {:.4f}]", c.relative->lo, c.relative->hi), rounding, at);

@@ -131,7 +131,7 @@ T powers_3_9_depth() {
     return ratio<T, 54, 100>();
 }
 
-/// Two powers, a third of Schlick's error on dielectrics.
+/// Two powers, two fifths of Schlick's error on dielectrics.
 ///
 ///   F = f0 + x^3 max((1 - f0) - 0.54 (1 - x^6), 0)
 ///
@@ -165,7 +165,7 @@ three_terms<T> powers_3_6_9_terms(T f0) {
     return {p, q, r};
 }
 
-/// Three powers with coefficients in sqrt(f0), a twentieth of Schlick's error on dielectrics.
+/// Three powers with coefficients in sqrt(f0), a tenth of Schlick's error on dielectrics.
 ///
 ///   F = f0 + y (p + y (q + y r)),   y = x^3,   r = 1 - f0 - p - q
 ///   p = -0.02379 + 2.90623 s - 4.78491 f0,   q = 0.43137 - 0.58931 s - 2.31299 f0,   s = sqrt(f0)
@@ -283,7 +283,7 @@ complex<T> gulbrandsen_index(T r, T g) {
 ///
 /// r       reflectance at normal incidence   [0, 1]; clamped to 0.9999, where n reaches 40 000
 /// g       edge tint                         [0, 1]
-/// returns [0, 1]; exactly r at normal incidence for every g
+/// returns [0, 1]; r at normal incidence for every g, to rounding
 /// source  Gulbrandsen 2014, "Artist Friendly Metallic Fresnel"; k^2 = ((n + 1)^2 r - (n - 1)^2) / (1 - r)
 ///         factored by its roots in n
 template <class T>
@@ -398,7 +398,7 @@ three_terms<T> powers_2_8_16_terms(T f0, T f82) {
     return {c2, c8, c16};
 }
 
-/// Three powers through f0 and f82: half the worst error of `f82` on metals.
+/// Three powers through f0 and f82: nine tenths of the worst error of `f82` on metals.
 ///
 ///   F = f0 + c2 x^2 + c8 x^8 + c16 x^16,   c_e = A_e (1 - f0) + B_e (f82 - f0)
 ///

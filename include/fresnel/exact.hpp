@@ -59,7 +59,7 @@ T least_square() {
 /// returns R and T per polarisation, each in [0, 1]; 1 and 0 beyond the critical angle; R is exactly 0 for
 ///         equal media at every angle, and exactly 1 at cos_i = 0 for any others
 /// error   relative 8 epsilon in R and 4 in T, times 1 + |eta^2 - 1| / g^2: in float32 2e-6 for eta > 1,
-///         and up to 6e-2 at the critical angle of eta >= 0.1 (conductor_precise: 1e-6 there too)
+///         and up to 1e-1 at the critical angle of eta >= 0.1, 2e-1 in R_p (conductor_precise: 1e-6 there too)
 /// source  Fresnel 1823. From g^2 - c^2 = E follows (g + c)^4 = E^2 + W, so that nothing cancels, and what is
 ///         reflected at grazing incidence and beyond the critical angle is exactly 1. Lengths are in units of
 ///         1 / n_i, which saves the division by it
@@ -96,8 +96,8 @@ boundary<T> dielectric(T n_i, T n_t, T cos_i) {
 ///   R_s = ((g - c) / (g + c))^2        R_p = R_s ((c g - s^2) / (c g + s^2))^2
 ///
 /// n_i, n_t, cos_i, returns   as `dielectric`
-/// error   float32: relative 4e-6 in R for eta > 1.05, growing like 2e-7 / |eta - 1|: no digit left at
-///         1 +- 1e-6. Equal media at cos_i = 0 transmit nothing
+/// error   float32: relative 8e-6 in R for eta > 1.05, growing like 2e-7 / |eta - 1|: no digit left at
+///         1 +- 1e-6, in slopes (`dual`) as in values. Equal media at cos_i = 0 transmit nothing
 /// source  Cook and Torrance 1982, "A Reflectance Model for Computer Graphics"; lengths as in `dielectric`.
 ///         Beyond the critical angle the results alone are selected, so that nothing before them has to be
 template <class T>
@@ -170,9 +170,10 @@ normal_wave<T> refract_complex(T n_i, T n_t, T k_t, T cos_i) {
 /// k_t     imaginary part of the index behind                 [0, 10000]; 0 is a dielectric
 /// cos_i   cosine of incidence                                [0, 1]
 /// returns R and T per polarisation, each in [0, 1]; T is the power that enters, to be absorbed. R is exactly
-///         0 for equal media at every angle, and exactly 1 at cos_i = 0 for any others
-/// error   relative 8 epsilon in R and 4 in T, times 1 + |m^2 - 1| / |m^2 - s^2|: in float32 2e-6 for metals
-///         and for eta > 1, and up to 6e-2 at the critical angle of eta >= 0.1 (k_t = 0 only)
+///         0 for equal media at every angle, and exactly 1 at cos_i = 0 for any others, but for an absorption so
+///         faint that its cube is lost (k_t / n_i < 1e-7 in float32) where n_t = n_i
+/// error   relative 8 epsilon in R and 4 in T, times 1 + |m^2 - 1| / |m^2 - s^2|, for eta >= 0.1: in float32 2e-6 for metals
+///         and for eta > 1, and up to 1e-1 at the critical angle of eta >= 0.1, 2e-1 in R_p (k_t = 0 only)
 /// source  Born and Wolf 1999, "Principles of Optics", 7th ed., sec. 14.2. With q = a + i b, |q + c|^4 = F + W
 ///         and |q c + s^2|^4 = B + V, so that nothing cancels; Re(m^2 c^2 - s^2) is Re q^2 c^2 - s^4. Of a and b
 ///         the larger is u, the other n k / u; lengths are in units of 1 / n_i, and F, W, B, V are multiplied by
@@ -221,9 +222,10 @@ boundary<T> conductor(T n_i, T n_t, T k_t, T cos_i) {
 ///   R_s = (t1 - t2) / (t1 + t2)        R_p = R_s (t3 - t4) / (t3 + t4)
 ///
 /// n_i, n_t, k_t, cos_i, returns   as `conductor`
-/// error   float32: relative 3e-6 in R for metals, 1e-4 for dielectrics; R and T have no digit left near an
+/// error   float32: relative 6e-6 in R for metals, 2e-4 for dielectrics; R and T have no digit left near an
 ///         index match (k_t < 1e-3 and n_t near n_i), T none where n_t << k_t. Equal media at cos_i = 0 transmit
-///         nothing
+///         nothing. Slopes (`dual`) are as the values: none near an index match, and 0 by a k_t below 1e-8 beyond the
+///         critical angle, where |q|^2 - |t0| rounds to 0
 /// source  Lagarde 2013, "Memo on Fresnel equations", after Shirley; lengths as in `dielectric`
 template <class T>
 boundary<T> conductor_fast(T n_i, T n_t, T k_t, T cos_i) {
@@ -259,7 +261,8 @@ boundary<T> conductor_fast(T n_i, T n_t, T k_t, T cos_i) {
 /// Brewster's; everything is scaled by n_i instead of divided by it, so that no quotient is rounded first.
 ///
 /// n_i, n_t, k_t, cos_i, returns   as `conductor`; k_t = 0 gives the dielectric
-/// error   float32: relative 1e-6 in R and T everywhere, the critical angle included
+/// error   float32, eta >= 0.1: relative 1e-6 in R and absolute 1e-6 in T, the critical angle included; from 1000 times
+///         denser media, whose critical angle is at 0.06 degrees, 5e-5 in R
 /// source  as `conductor`; the sums after Knuth, Veltkamp and Dekker. Needs an arithmetic that does not
 ///         re-associate (no -ffast-math)
 template <class T>

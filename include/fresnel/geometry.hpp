@@ -66,7 +66,7 @@ V reflect(V v, V n) {
 ///
 /// eta     n_t / n_i                 > 0
 /// cos_i   cosine of incidence       [0, 1]
-/// returns [0, 1]; exactly cos_i for eta = 1
+/// returns [0, 1]; exactly cos_i for eta = 1 where its square is a normal number
 template <class T>
 T refracted_cosine(T eta, T cos_i) {
     const T g2 = let("g2", (eta - 1) * (eta + 1) + cos_i * cos_i);

@@ -103,7 +103,7 @@ constexpr T mix(T a, T b, T t) {
     return a + (b - a) * t;
 }
 
-/// 2^-80, which changes no number it is added to above 10^-8, and gives 0 a root with a finite derivative.
+/// 2^-80, which in double changes no number above 2e-8 that it is added to, and gives 0 a root with a finite derivative.
 template <class T>
 T tiny() {
     return square(square(ratio<T, 1, 1 << 20>()));

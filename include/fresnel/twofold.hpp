@@ -32,7 +32,8 @@ twofold<T> halves(T a) {
     return result_of("halves", twofold<T>{hi, a - hi}, a);
 }
 
-/// a b without rounding error, from + - * alone (Dekker 1971) unless T has an operation for it.
+/// a b without rounding error, for numbers of 24 or 53 digits, from + - * alone (Dekker 1971) unless T has an operation for
+/// it.
 template <class T>
 twofold<T> two_product(T a, T b) {
     const T product = let("product", a * b);

@@ -116,6 +116,7 @@ const std::vector<metal_sample>& metal_samples() {
         std::vector<metal_sample> samples;
         for (const material& m : builtin_materials()) {
             if (m.category != "metal" || m.kind != material_kind::spectral || m.name == "caesium") continue;
+            if (m.quality.starts_with("Calculated")) continue;
             for (const double nm : {450.0, 550.0, 650.0})
                 samples.push_back({m.name, nm, index_at(m, nm)});
         }

@@ -67,8 +67,8 @@ struct metal_sample {
     optical_index index;
 };
 
-/// Every built-in metal at 450, 550 and 650 nm, the set over which fitted models are judged, but for caesium:
-/// its plasma edge lies in the visible, and there nothing but the exact equations follows it.
+/// Every built-in metal that was measured at 450, 550 and 650 nm, the set over which fitted models are judged, but for
+/// caesium: its plasma edge lies in the visible, and there nothing but the exact equations follows it.
 const std::vector<metal_sample>& metal_samples();
 
 } // namespace fresnel

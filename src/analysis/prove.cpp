@@ -80,16 +80,16 @@ struct maximum {
     std::array<double, D> at;
 };
 
-/// The largest |f| over a box, enclosed to within `width`; boxes that cannot reach `floor` are not looked into.
+/// The largest |f| over a box, enclosed to within `width`.
 template <std::size_t D, class F>
-maximum<D> largest_over(const F& f, const box<D>& whole, double width, double floor = 0) {
+maximum<D> largest_over(const F& f, const box<D>& whole, double width) {
     struct candidate {
         box<D> b;
         double upper;
         std::size_t widest;
         bool operator<(const candidate& other) const { return upper < other.upper; }
     };
-    maximum<D> best{{floor, floor}, {}};
+    maximum<D> best{};
     std::priority_queue<candidate> open;
     const auto add = [&](const box<D>& b) {
         const estimate e = enclose_over(f, b);
@@ -198,75 +198,218 @@ certificate over_internal_gems() {
     return result;
 }
 
-/// Every metal by itself, with the parameters fitted to it; only the worst is enclosed narrowly.
+/// What is certain of one metal.
+struct metal_error {
+    maximum<1> absolute;
+    certified relative;
+};
+
+/// A model with the parameters fitted to a metal against the exact curve.
+template <class Row>
+metal_error enclose_metal(const Row& row, const parameters& fitted, const optical_index& index) {
+    const auto model = [&](const auto& x) {
+        using T = std::remove_cvref_t<decltype(x[0])>;
+        std::array<T, std::tuple_size_v<decltype(row.parameters)>> values;
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = constant_of<T>(fitted[i]);
+        return reflectance(evaluate(row, values, x[0]));
+    };
+    const auto exact = [&](const auto& x) {
+        using T = std::remove_cvref_t<decltype(x[0])>;
+        return conductor_over(constant_of<T>(index.n), constant_of<T>(index.k), x[0]);
+    };
+    const auto error = [&](const auto& x) { return model(x) - exact(x); };
+    const auto relative = [&](const auto& x) { return model(x) / exact(x) - 1; };
+    return {largest_over<1>(error, {any_cosine}, every_metal.absolute),
+            largest_over<1>(relative, {any_cosine}, every_metal.relative).value};
+}
+
+/// `gulbrandsen` is the exact equations of an index that its two parameters stand for: its error is the distance of that
+/// index from the metal's, times the slopes of the exact equations between the two.
+metal_error enclose_index(const parameters& fitted, const optical_index& index) {
+    using number = dual<interval, 2>;
+    const complex<interval> found = gulbrandsen_index(interval(fitted[0]), interval(fitted[1]));
+    const interval n(index.n), k(index.k);
+    const double off_n = (found.re - n).magnitude(), off_k = (found.im - k).magnitude();
+    metal_error result{};
+    constexpr int parts = 64;
+    for (int i = 0; i < parts; ++i) {
+        const interval c = interval::between(double(i) / parts, double(i + 1) / parts);
+        const number R = conductor_over(number::variable(hull(found.re, n), 0),
+                                        number::variable(hull(found.im, k), 1), number::constant(c));
+        const interval moved =
+            interval(R.d[0].magnitude()) * interval(off_n) + interval(R.d[1].magnitude()) * interval(off_k);
+        if (moved.hi > result.absolute.value.hi) result.absolute.value.hi = moved.hi;
+        result.relative.hi = std::max(result.relative.hi, (moved / R.value).hi);
+    }
+    return result;
+}
+
+/// Every metal by itself, with the parameters fitted to it.
 template <class Row>
 certificate over_metals(const Row& row) {
     certificate result{};
-    double relative_lo = 0, relative_hi = 0;
+    certified relative{};
     for (const metal_sample& metal : metal_samples()) {
         const parameters fitted = fit(row.name, channel_of(metal.index));
-        const auto model = [&](const auto& x) {
-            using T = std::remove_cvref_t<decltype(x[0])>;
-            std::array<T, std::tuple_size_v<decltype(row.parameters)>> values;
-            for (std::size_t i = 0; i < values.size(); ++i)
-                values[i] = constant_of<T>(fitted[i]);
-            return reflectance(evaluate(row, values, x[0]));
-        };
-        const auto exact = [&](const auto& x) {
-            using T = std::remove_cvref_t<decltype(x[0])>;
-            return conductor_over(constant_of<T>(metal.index.n), constant_of<T>(metal.index.k), x[0]);
-        };
-        const auto error = [&](const auto& x) { return model(x) - exact(x); };
-        const auto relative = [&](const auto& x) { return model(x) / exact(x) - 1; };
-        const maximum<1> here =
-            largest_over<1>(error, {any_cosine}, every_metal.absolute, result.absolute.lo);
-        result.absolute.hi = std::max(result.absolute.hi, here.value.hi);
-        if (here.value.lo > result.absolute.lo) {
-            result.absolute.lo = here.value.lo;
-            result.at = {{"cos_i", here.at[0]}};
+        metal_error here;
+        if constexpr (std::tuple_size_v<decltype(row.parameters)> == 2)
+            here = row.name == "gulbrandsen" ? enclose_index(fitted, metal.index)
+                                             : enclose_metal(row, fitted, metal.index);
+        else
+            here = enclose_metal(row, fitted, metal.index);
+        certified_metal one{std::string(metal.name), metal.wavelength_nm, here.absolute.value, {}};
+        for (std::size_t i = 0; i < fitted.size(); ++i)
+            one.at.emplace_back(row.parameters[i].name, fitted[i]);
+        if (one.absolute.lo > 0) one.at.emplace_back("cos_i", here.absolute.at[0]);
+        if (one.absolute.lo > result.absolute.lo) {
+            result.at = one.at;
             result.material = fmt::format("{} at {:.0f} nm", metal.name, metal.wavelength_nm);
         }
-        const certified r = largest_over<1>(relative, {any_cosine}, every_metal.relative, relative_lo).value;
-        relative_lo = std::max(relative_lo, r.lo), relative_hi = std::max(relative_hi, r.hi);
+        const auto enlarge = [](certified& all, const certified& with) {
+            all = {std::max(all.lo, with.lo), std::max(all.hi, with.hi)};
+        };
+        enlarge(result.absolute, one.absolute), enlarge(relative, here.relative);
+        result.metals.push_back(std::move(one));
     }
-    result.relative = certified{relative_lo, relative_hi}, result.proved = true;
+    result.relative = relative, result.proved = true;
     return result;
 }
 
 // ---- rounding ---------------------------------------------------------------------------------------------
 
-/// Arguments of moderate size, beside the default.
+/// The values of a parameter over which rounding is looked at: moderate ones and the default. An eta below 1 is that of
+/// `inside_gems`, and r of `gulbrandsen` keeps away from 0 and 1, where its index has no digits left.
 interval moderate(const parameter& p) {
-    return interval::between(std::max(p.min, p.max > 10 ? 0.1 : p.min), std::min(p.max, 10.0));
+    if (p.name == "eta") return interval::between(0.4, 1 / 1.3);
+    if (p.name == "r") return interval::between(0.02, 0.99);
+    const interval most = interval::between(std::max(p.min, p.max > 10 ? 0.1 : p.min), std::min(p.max, 10.0));
+    return hull(most, interval(p.default_value));
 }
 
-double draw(const parameter& p, std::mt19937_64& generator) {
-    std::uniform_real_distribution<double> unit(0, 1);
-    const auto [lo, hi] = moderate(p);
-    if (unit(generator) < 0.1) return p.default_value;
-    return p.max > 10 ? lo * std::exp(unit(generator) * std::log(hi / lo)) : lo + (hi - lo) * unit(generator);
-}
+/// Inputs of a model, the angle last, and |float32 - real| there.
+template <std::size_t N>
+struct rounding_error {
+    std::array<float, N> x;
+    double size;
+};
 
-/// Largest |float32 - real| of a model at random and edge inputs of moderate size; the real one at 60 digits.
+/// A search for the inputs where float32 is furthest from the real value, for parameters of moderate size: random ones,
+/// most of them near the ends of their ranges or of each other, at all angles and at the critical one, then climbs from
+/// the worst of them.
 template <class Row>
-double rounding_of(const Row& row) {
-    constexpr std::size_t N = std::tuple_size_v<decltype(row.parameters)>;
-    std::mt19937_64 generator(32);
-    std::uniform_real_distribution<double> unit(0, 1);
-    double worst = 0;
-    for (int i = 0; i < 4000; ++i) {
-        std::array<float, N> narrow{};
-        std::array<real50, N> wide;
-        for (std::size_t p = 0; p < N; ++p)
-            narrow[p] = static_cast<float>(draw(row.parameters[p], generator)), wide[p] = narrow[p];
-        const float c = i % 50 == 0 ? 0.0f : i % 50 == 1 ? 1.0f : static_cast<float>(unit(generator));
-        const real50 truth = reflectance(evaluate(row, wide, real50(c)));
-        const double miss =
-            std::abs(static_cast<double>(real50(reflectance(evaluate(row, narrow, c)) - truth)));
-        worst = std::max(worst, miss);
+class rounding_search {
+public:
+    static constexpr std::size_t N = std::tuple_size_v<decltype(Row::parameters)> + 1;
+    using inputs = std::array<float, N>;
+
+    explicit rounding_search(const Row& row) : row_(row) {}
+
+    rounding_error<N> worst() {
+        constexpr std::size_t climbs = 24;
+        std::vector<rounding_error<N>> found;
+        for (int i = 0; i < 40'000; ++i) {
+            const inputs x = drawn();
+            found.push_back({x, miss<double>(x)});
+        }
+        const auto larger = [](const auto& a, const auto& b) { return a.size > b.size; };
+        std::partial_sort(found.begin(), found.begin() + climbs, found.end(), larger);
+        found.resize(climbs);
+        rounding_error<N> best{found[0].x, 0};
+        for (rounding_error<N>& one : found) {
+            climb(one);
+            one.size = miss<real50>(one.x);
+            if (one.size > best.size) best = one;
+        }
+        return best;
     }
-    return worst;
-}
+
+private:
+    template <class T>
+    T value(const inputs& x) const {
+        return reflectance(evaluate(row_, x, T(x[N - 1])));
+    }
+
+    /// |float32 - real|, the real value in T; 0 where the row promises nothing.
+    template <class T>
+    double miss(const inputs& x) const {
+        if (!promised(x)) return 0;
+        return std::abs(static_cast<double>(T(value<float>(x)) - value<T>(x)));
+    }
+
+    /// Exact models have n_t / n_i in [0.1, 10], and most keep 0.001 away from what their rows name.
+    bool promised(const inputs& x) const {
+        if constexpr (N > 2)
+            if (exact_) {
+                const double eta = double(x[1]) / double(x[0]), k = N > 3 ? double(x[2]) / double(x[0]) : 0;
+                const double cos2 = (1 - eta) * (1 + eta);
+                const bool critical = std::abs(double(x[N - 1]) - std::sqrt(std::max(cos2, 0.0))) < 0.001;
+                return eta >= 0.1 && eta <= 10 &&
+                       (row_.error.over == row::everywhere || k >= 0.1 || cos2 <= 0 || !critical) &&
+                       (row_.error.over != row::apart || k >= 0.001 || std::abs(eta - 1) >= 0.001);
+            }
+        return true;
+    }
+
+    double unit() { return std::uniform_real_distribution<double>(0, 1)(generator_); }
+
+    /// A small number, of every size alike.
+    double small() { return std::exp2(-30 * unit()); }
+
+    double drawn_in(double lo, double hi) {
+        const double place = unit();
+        if (place < 0.4) return lo + (hi - lo) * unit();
+        return place < 0.7 ? lo + (hi - lo) * small() : hi - (hi - lo) * small();
+    }
+
+    inputs drawn() {
+        inputs x{};
+        for (std::size_t i = 0; i + 1 < N; ++i) {
+            const parameter& p = row_.parameters[i];
+            const double how = unit();
+            const double drawn = how < 0.1             ? p.default_value
+                                 : i == 1 && how < 0.3 ? double(x[0]) * (1 + (how < 0.2 ? 1 : -1) * small())
+                                                       : drawn_in(range(i).lo, range(i).hi);
+            x[i] = limited(i, drawn);
+        }
+        x[N - 1] = unit() < 0.3 ? critical(x) : limited(N - 1, drawn_in(0, 1));
+        return x;
+    }
+
+    /// Near the critical angle where there is one, otherwise anywhere.
+    float critical(const inputs& x) {
+        double eta = 2;
+        if constexpr (N > 2)
+            if (exact_) eta = double(x[1]) / double(x[0]);
+        if constexpr (N == 2)
+            if (row_.parameters[0].name == "eta") eta = double(x[0]);
+        const double cos2 = (1 - eta) * (1 + eta);
+        return limited(N - 1, (cos2 > 0 ? std::sqrt(cos2) : unit()) * (1 + (unit() - 0.5) * small()));
+    }
+
+    interval range(std::size_t i) const {
+        return i + 1 < N ? moderate(row_.parameters[i]) : interval::between(0, 1);
+    }
+
+    float limited(std::size_t i, double value) const {
+        const interval within = range(i);
+        return static_cast<float>(std::clamp(value, within.lo, within.hi));
+    }
+
+    void climb(rounding_error<N>& at) {
+        for (int step = 0; step < 3000; ++step) {
+            inputs x = at.x;
+            const std::size_t i = generator_() % N;
+            x[i] = limited(i, double(x[i]) * (1 + (unit() < 0.5 ? 1 : -1) * small()));
+            if (unit() < 0.3) x[N - 1] = critical(x);
+            if (const double size = miss<double>(x); size > at.size) at = {x, size};
+        }
+    }
+
+    const Row& row_;
+    const bool exact_ = row_.kind == model_kind::exact; ///< then the first two parameters are n_i and n_t
+    std::mt19937_64 generator_{32};
+};
 
 /// The largest `bound` over a box, after so many halvings of the box where it is largest, each where it helps most.
 template <std::size_t D, class F>
@@ -298,13 +441,13 @@ double bound_over(const F& bound, const box<D>& whole, int halvings) {
     return open.top().upper;
 }
 
-/// What |float32 - real| never exceeds for the arguments of `rounding_of`; none for models with comparisons.
+/// What |float32 - real| never exceeds for parameters of moderate size; none for models with comparisons.
 template <class Row>
 std::optional<double> rounding_bound_of(const Row& row) {
     constexpr std::size_t N = std::tuple_size_v<decltype(row.parameters)>;
     box<N + 1> whole;
     for (std::size_t p = 0; p < N; ++p)
-        whole[p] = hull(moderate(row.parameters[p]), interval(row.parameters[p].default_value));
+        whole[p] = moderate(row.parameters[p]);
     whole[N] = any_cosine;
     const auto bound = [&](const box<N + 1>& b) {
         std::array<rounding, N> values;
@@ -333,8 +476,16 @@ certificate certify_row() {
         result = over_metals(row);
     else
         result.absolute = {row.error.max, row.error.max}; // as the registry's test measures it
-    result.model = row.name, result.domain = row.error.over;
-    result.rounding_float32 = rounding_of(row), result.rounding_bound = rounding_bound_of(row);
+    result.model = row.name;
+    result.domain =
+        result.proved ? std::string(row.error.over) : fmt::format("{}; {}", row.domain, row.error.over);
+    rounding_search search(row);
+    const auto worst = search.worst();
+    result.rounding_found = worst.size, result.rounding_bound = rounding_bound_of(row);
+    result.rounding_at.clear();
+    for (std::size_t p = 0; p < row.parameters.size(); ++p)
+        result.rounding_at.emplace_back(row.parameters[p].name, worst.x[p]);
+    result.rounding_at.emplace_back("cos_i", worst.x[row.parameters.size()]);
     return result;
 }
 

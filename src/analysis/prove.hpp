@@ -13,6 +13,14 @@ struct certified {
     double lo, hi;
 };
 
+/// A metal at one wavelength: what is certain of a fitted model's error, and where it is largest, with the parameters.
+struct certified_metal {
+    std::string name;
+    double wavelength_nm;
+    certified absolute;
+    std::vector<std::pair<std::string, double>> at;
+};
+
 /// What is certain of a model's error over its stated domain.
 struct certificate {
     std::string model, domain;
@@ -21,9 +29,11 @@ struct certificate {
     bool unbounded_near_match = false; ///< whether that exceeds every bound as eta goes to 1; proved
     std::vector<std::pair<std::string, double>> at; ///< where the largest |model - exact| is
     std::string material;                           ///< of fitted models: which metal, at which wavelength
-    double rounding_float32;                        ///< largest |float32 model - real model| found
-    std::optional<double> rounding_bound;           ///< what that certainly never exceeds, where proved
-    bool proved;                                    ///< whether `absolute` is proved, else measured
+    std::vector<certified_metal> metals;            ///< of fitted models: each by itself
+    double rounding_found; ///< largest |float32 model - real model| that a search found
+    std::vector<std::pair<std::string, double>> rounding_at; ///< where
+    std::optional<double> rounding_bound; ///< what that certainly never exceeds, where proved
+    bool proved;                          ///< whether `absolute` is proved, else measured
 };
 
 /// Whether `prove` certifies errors taken over that domain of the registry, or repeats the measured one.
@@ -34,7 +44,8 @@ bool can_prove(std::string_view over);
 /// 90 degrees. The enclosure of the absolute error is at most 5e-6 wide, of fitted models 5e-5. Exact models, which have
 /// no error but rounding, keep the one that the registry's test measures.
 ///
-/// Rounding is of parameters up to 10. It is bounded by a running error analysis (types/rounding.hpp), but for models
+/// Rounding is of parameters up to 10, of exact models for n_t / n_i in [0.1, 10] as far from a critical angle and an
+/// index match as `domain` says, of `schlick_internal` inside gems, of `gulbrandsen` for r in [0.02, 0.99]. It is bounded by a running error analysis (types/rounding.hpp), but for models
 /// that compare: there float and real may take two ways.
 ///
 /// throws bad_input for an unknown model

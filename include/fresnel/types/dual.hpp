@@ -11,12 +11,16 @@
 //
 // Infinite derivatives that are true, and where: the square root at a critical angle; sqrt f0 at f0 = 0 in
 // powers_3_6_9; x^power at x = 0 for a power below 1. At a kink (a clamp, max) the derivative is that of the side
-// that is returned.
+// that is returned; where rounding takes a value past a clamp, as at cos_i = 0, it is the clamp's, 0. Where a value has
+// lost its digits its derivative has too: of the fast exact models near an index match and, by a k_t below 1e-8, beyond
+// the critical angle; of conductor_precise between equal media at cos_i = 0, where it is NaN; of gulbrandsen at r = 0 in
+// float.
 
 #include <fresnel/number.hpp>
 
 #include <array>
 #include <limits>
+#include <type_traits>
 
 namespace fresnel {
 
@@ -48,7 +52,13 @@ struct dual {
         return chain(x.value - y.value, x, T(1), y, T(-1));
     }
     friend dual operator*(const dual& x, const dual& y) {
-        return chain(x.value * y.value, x, y.value, y, x.value);
+        dual product = chain(x.value * y.value, x, y.value, y, x.value);
+        if constexpr (std::is_floating_point_v<T>)
+            if (product.value == 0)
+                for (std::size_t i = 0; i < N; ++i)
+                    if ((x.value == 0 && x.d[i] == 0) || (y.value == 0 && y.d[i] == 0))
+                        product.d[i] = 0; // 0 times an infinite slope
+        return product;
     }
     friend dual operator/(const dual& x, const dual& y) {
         const T quotient = x.value / y.value;

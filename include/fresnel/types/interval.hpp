@@ -5,7 +5,9 @@
 // Every operation is rounded outwards. A comparison of two overlapping intervals has no answer; `enclose` then runs
 // the model once for each possible answer and returns the hull. Within one run the same comparison always has the
 // same answer, so that a model's select of an argument and of the result stay together, and a critical angle inside
-// the interval costs two runs instead of the whole range of the root.
+// the interval costs two runs instead of the whole range of the root. Two comparisons are the same if their bounds are:
+// of quantities that differ but have equal bounds, as x and -x around 0, a function that jumps may be enclosed too
+// narrowly. No model compares such; the tests sample every one.
 //
 //     const interval R = enclose([&] { return schlick(interval(0.04), interval::between(0, 0.1)); });
 //

@@ -23,6 +23,7 @@ public:
 private:
     bool holds_;
     friend constexpr number select(mask m, number yes, number no);
+    friend void select(mask m, int yes, int no) = delete;
 };
 
 /// A double behind the vocabulary of number.hpp, made from an int or from ratio<T, a, b>().
@@ -62,6 +63,16 @@ public:
     friend number log2(number x) { return from(std::log2(x.value_)); }
     friend number log(number x) { return from(std::log(x.value_)); }
     friend number pow(number x, number y) { return from(std::pow(x.value_, y.value_)); }
+
+    // with an integer, float and double take another function than a number type's: write T(0), T(5)
+    friend number select(mask m, number yes, int no) = delete;
+    friend number select(mask m, int yes, number no) = delete;
+    friend number min(number x, int y) = delete;
+    friend number min(int x, number y) = delete;
+    friend number max(number x, int y) = delete;
+    friend number max(int x, number y) = delete;
+    friend number pow(number x, int y) = delete;
+    friend number pow(int x, number y) = delete;
 
 private:
     double value_ = 0;
