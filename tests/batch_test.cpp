@@ -379,6 +379,26 @@ TEST(batch, results_may_replace_an_argument) {
         ASSERT_EQ(R, schlick(0.04F, 0.25F));
 }
 
+/// With every instruction set and whatever the threads: the value is read before any result is written.
+TEST(batch, a_single_value_may_lie_in_the_results) {
+    const floats f0(1003, 0.04F), half(1003, 0.5F);
+    for (const std::string_view set : instruction_sets())
+        for (const unsigned threads : {1u, 4u})
+            for (const std::size_t place : {0u, 500u, 1002u}) {
+                floats R(1003);
+                const batch_argument single{&R[place], 0};
+                const batch_options how{.instruction_set = set, .threads = threads};
+                R[place] = 0.04F;
+                evaluate_batch("schlick", {{single}}, batch_argument::array(half.data()), R.size(), R.data(),
+                               how);
+                EXPECT_EQ(R, floats(1003, schlick(0.04F, 0.5F))) << set << ' ' << threads << ' ' << place;
+                R[place] = 0.5F;
+                evaluate_batch("schlick", {{batch_argument::array(f0.data())}}, single, R.size(), R.data(),
+                               how);
+                EXPECT_EQ(R, floats(1003, schlick(0.04F, 0.5F))) << set << ' ' << threads << ' ' << place;
+            }
+}
+
 /// The message of the bad_input that f throws; empty where it throws none.
 template <class F>
 std::string refusal(F f) {

@@ -64,6 +64,17 @@ static void test_evaluate(void) {
     EXPECT(R[count - 1] == 1); /* cos_i = 0 throughout */
 }
 
+static void test_single_value_in_results(void) {
+    const size_t single[] = {0};
+    float R[count];
+    const float* const parameters[] = {R};
+    int i;
+    R[0] = 0.04f;
+    EXPECT(fresnel_evaluate("schlick", parameters, single, cosines, 1, count, R) == FRESNEL_OK);
+    for (i = 0; i < count; ++i)
+        EXPECT(close_to((double)R[i], 0.04 + 0.96 * pow5(1 - (double)cosines[i])));
+}
+
 static void test_polarised(void) {
     const float n_i = 1, n_t = 1.5f;
     const float* const parameters[] = {&n_i, &n_t};
@@ -195,6 +206,7 @@ static void test_all(void) {
     EXPECT(fresnel_isa() != NULL);
     test_models();
     test_evaluate();
+    test_single_value_in_results();
     test_polarised();
     test_rgb();
     test_bad_use();

@@ -70,7 +70,8 @@ fresnel_error fresnel_model_parameter(const char* model, size_t index, fresnel_p
  *   cos_i          `count` floats, or one if cos_i_stride is 0
  *   cos_i_stride   1 or 0
  *   count          how many values; where it is 0, nothing is done and every pointer but the model may be NULL
- *   R              `count` floats; may be one of the input arrays, but must not overlap one otherwise
+ *   R              `count` floats; may be one of the input arrays, but must not overlap one otherwise, nor another
+ *                  output. Single values are read before anything is written, and may lie anywhere.
  *
  * Values are not checked (fresnel_check does that): outside the ranges R is some number or NaN.
  * FRESNEL_UNKNOWN_MODEL, FRESNEL_BAD_ARGUMENT, FRESNEL_BAD_INSTRUCTION_SET; R is then unchanged. */

@@ -34,9 +34,10 @@ struct batch_polarised {
     float *T_s = nullptr, *T_p = nullptr;
 };
 
-// The arrays' length is `count`; where that is 0, pointers may be null. An output may be the array of an argument itself, for a result in place,
-// but must not overlap one in any other way. All three throw bad_input where the model or the instruction set is
-// unknown, the parameters are not as many as the model's, a stride is neither 0 nor 1 or a pointer is null.
+// The arrays' length is `count`; where that is 0, pointers may be null. An output may be the array of an argument itself,
+// for a result in place, but must not overlap one in any other way; nor may outputs overlap each other. Single values are
+// read before any result is written, and may lie anywhere. All three throw bad_input where the model or the instruction
+// set is unknown, the parameters are not as many as the model's, a stride is neither 0 nor 1 or a pointer is null.
 
 /// Unpolarised reflectance R. `parameters` in the order of the registry.
 void evaluate_batch(std::string_view model, std::span<const batch_argument> parameters, batch_argument cos_i,

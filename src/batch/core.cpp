@@ -110,6 +110,15 @@ std::pair<kernel, std::size_t> find_kernel(quantity wanted, const model_kernels&
     return transmitted ? std::pair{model.powers, 4} : std::pair{model.polarised, 2};
 }
 
+/// Copies the single values into the job: one that lies in an output would otherwise change on the way.
+void keep_singles(batch_job& job) {
+    for (std::size_t k = 0; k < job.input_count; ++k) {
+        if (job.inputs[k].stride != 0) continue;
+        job.singles[k] = *job.inputs[k].data;
+        job.inputs[k].data = &job.singles[k];
+    }
+}
+
 } // namespace
 
 std::size_t parameters_of(quantity wanted, const batch_model& model) noexcept {
@@ -147,7 +156,9 @@ refusal make_job(quantity wanted, const batch_model& model, const instruction_se
     const refusal refused = check_inputs({job.inputs, job.input_count});
     if (refused.why != refusal::none) return refused;
     const bool complete = std::none_of(job.outputs, job.outputs + output_count, [](float* p) { return !p; });
-    return {complete ? refusal::none : refusal::null_output};
+    if (!complete) return {refusal::null_output};
+    keep_singles(job);
+    return {};
 }
 
 // ---- running ----------------------------------------------------------------------------------------------

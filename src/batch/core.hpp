@@ -63,12 +63,17 @@ inline constexpr std::size_t most_outputs = 4;
 /// What to compute, and where it goes: R; R_s, R_p and T_s, T_p (these null if not wanted); red, green and blue.
 enum class quantity { reflectance, polarised, rgb };
 
-/// A call that has been checked.
+/// A call that has been checked. Its single values are copies, read once: the caller's may lie in an output.
 struct batch_job {
+    batch_job() = default;
+    batch_job(const batch_job&) = delete; ///< `inputs` point into it
+    batch_job& operator=(const batch_job&) = delete;
+
     kernel run;
     std::size_t lanes;
     std::size_t input_count, output_count;
     batch_argument inputs[most_inputs]; ///< the parameters, then cos_i
+    float singles[most_inputs];         ///< of the inputs that are single values
     float* outputs[most_outputs];
 };
 
