@@ -315,9 +315,9 @@ TEST(batch, kernels_give_the_same_bits_however_they_are_called) {
 }
 
 TEST(batch, so_many_results_that_they_pass_the_caches_are_the_same) {
-    const std::size_t count = (std::size_t{1} << 22) + 37;
+    const std::size_t count = values_past_caches + 37;
     random_numbers random(5);
-    floats cos_i(count), R(count + 17), expected(count);
+    floats cos_i(count), R(count + 48), expected(count);
     for (float& c : cos_i)
         c = static_cast<float>(random.uniform(0, 1));
     const float n_i = 1, n_t = 0.2F, k_t = 3;
@@ -329,12 +329,63 @@ TEST(batch, so_many_results_that_they_pass_the_caches_are_the_same) {
     for (const std::string_view set : instruction_sets()) {
         evaluate(0, count / 2, expected.data(), set);
         evaluate(count / 2, count - count / 2, expected.data() + count / 2, set);
-        for (const std::size_t place : {0u, 1u}) { // at a multiple of 64 bytes, and not
-            float* const to = first_aligned(R) + place;
+        for (const std::size_t place : {0u, 1u, 4u, 15u}) { // at a multiple of 64 bytes, and not
+            float* const to = first_aligned(R) + 16 + place;
+            to[-1] = to[count] = guard;
             evaluate(0, count, to, set);
             EXPECT_TRUE(std::equal(expected.begin(), expected.end(), to)) << set << ' ' << place;
+            EXPECT_TRUE(to[-1] == guard && to[count] == guard) << set << ' ' << place;
         }
+        std::copy(cos_i.begin(), cos_i.end(), R.begin());
+        evaluate_batch("conductor", metal, batch_argument::array(R.data()), count, R.data(), one_thread(set));
+        EXPECT_TRUE(std::equal(expected.begin(), expected.end(), R.begin())) << set << " in place";
     }
+}
+
+/// Of a job of `conductor` in the widest instruction set, the call that computes whole batches of the values from 0 to
+/// `end`; without computing any.
+kernel_call whole_batches(quantity wanted, const float* cos_i, std::vector<float*> outputs, std::size_t end) {
+    static kernel_call longest;
+    const float index = 1;
+    const std::vector metal(3, batch_argument::same(index));
+    batch_job job;
+    EXPECT_EQ(make_job(wanted, *find_batch_model("conductor"), *find_instruction_set(""), metal,
+                       batch_argument::array(cos_i), values_past_caches, outputs, job)
+                  .why,
+              refusal::none);
+    longest = {};
+    job.run = [](const kernel_call& call) {
+        if (call.end - call.begin > longest.end - longest.begin) longest = call;
+    };
+    run_job(job, 0, end);
+    return longest;
+}
+
+/// malloc gives places that are no multiples of 64 bytes, and a thread gets a part.
+TEST(batch, many_results_pass_the_caches_wherever_they_begin) {
+    const std::size_t n = values_past_caches;
+    floats cos_i(n), memory(2 * n + 64);
+    float* const R = first_aligned(memory);
+    for (const std::size_t place : {0u, 4u, 15u})
+        for (const std::size_t end : {n, n / 2}) {
+            const kernel_call one = whole_batches(quantity::reflectance, cos_i.data(), {R + place}, end);
+            EXPECT_TRUE(one.past_caches) << place << ' ' << end;
+            EXPECT_EQ(one.begin, (16 - place) % 16);
+            float* const s = R + place;
+            EXPECT_TRUE(
+                whole_batches(quantity::polarised, cos_i.data(), {s, s + n + 16, nullptr, nullptr}, end)
+                    .past_caches);
+        }
+}
+
+TEST(batch, results_stay_in_the_caches_in_place_or_where_outputs_lie_differently) {
+    const std::size_t n = values_past_caches;
+    floats cos_i(n + 16), memory(2 * n + 64);
+    float* const R = first_aligned(memory);
+    float* const c = first_aligned(cos_i);
+    EXPECT_FALSE(whole_batches(quantity::reflectance, c, {c}, n).past_caches);
+    EXPECT_FALSE(whole_batches(quantity::polarised, c, {R, c, nullptr, nullptr}, n).past_caches);
+    EXPECT_FALSE(whole_batches(quantity::polarised, c, {R, R + n + 1, nullptr, nullptr}, n).past_caches);
 }
 
 TEST(batch, rgb_is_three_models_at_one_angle) {

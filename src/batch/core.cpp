@@ -110,6 +110,14 @@ std::pair<kernel, std::size_t> find_kernel(quantity wanted, const model_kernels&
     return transmitted ? std::pair{model.powers, 4} : std::pair{model.polarised, 2};
 }
 
+/// Whether a result replaces an argument: its memory is read in any case, and writing past the caches spares nothing.
+bool in_place(const batch_job& job) {
+    return std::any_of(job.inputs, job.inputs + job.input_count, [&](const batch_argument& in) {
+        return std::any_of(job.outputs, job.outputs + job.output_count,
+                           [&](const float* out) { return out == in.data; });
+    });
+}
+
 /// Copies the single values into the job: one that lies in an output would otherwise change on the way.
 void keep_singles(batch_job& job) {
     for (std::size_t k = 0; k < job.input_count; ++k) {
@@ -148,6 +156,7 @@ refusal make_job(quantity wanted, const batch_model& model, const instruction_se
     job.lanes = kernels.models[index].lanes;
     job.input_count = parameters.size() + 1;
     job.output_count = output_count;
+    job.past_caches = false;
     std::copy(parameters.begin(), parameters.end(), job.inputs);
     job.inputs[parameters.size()] = cos_i;
     std::copy_n(outputs.begin(), output_count, job.outputs);
@@ -158,6 +167,7 @@ refusal make_job(quantity wanted, const batch_model& model, const instruction_se
     const bool complete = std::none_of(job.outputs, job.outputs + output_count, [](float* p) { return !p; });
     if (!complete) return {refusal::null_output};
     keep_singles(job);
+    job.past_caches = count >= values_past_caches && !in_place(job);
     return {};
 }
 
@@ -174,6 +184,11 @@ bool is_intel() noexcept {
 #endif
 }
 
+/// How many values from a place on come before the next multiple of 64 bytes, where a cache line begins.
+std::size_t values_to_line(const float* place) {
+    return (0 - reinterpret_cast<std::uintptr_t>(place)) / sizeof(float) % 16;
+}
+
 /// One batch's worth of floats, for values that have to be cut off.
 struct lane_buffer {
     float lane[most_lanes];
@@ -182,7 +197,7 @@ struct lane_buffer {
 /// Whole batches straight from and to the arrays.
 void run_whole(const batch_job& job, std::size_t begin, std::size_t end) noexcept {
     kernel_call call{job.inputs, job.outputs, begin, end};
-    if (end - begin >= values_past_caches) {
+    if (job.past_caches) {
         call.past_caches = std::all_of(job.outputs, job.outputs + job.output_count, [=](const float* p) {
             return reinterpret_cast<std::uintptr_t>(p + begin) % 64 == 0;
         });
@@ -191,8 +206,8 @@ void run_whole(const batch_job& job, std::size_t begin, std::size_t end) noexcep
     job.run(call);
 }
 
-/// Fewer values than a batch, through buffers.
-void run_rest(const batch_job& job, std::size_t begin, std::size_t count) noexcept {
+/// Values that make no whole batches, at most `most_lanes`, through buffers.
+void run_few(const batch_job& job, std::size_t begin, std::size_t count) noexcept {
     lane_buffer in[most_inputs], out[most_outputs];
     batch_argument inputs[most_inputs];
     float* outputs[most_outputs];
@@ -206,7 +221,7 @@ void run_rest(const batch_job& job, std::size_t begin, std::size_t count) noexce
     }
     for (std::size_t k = 0; k < most_outputs; ++k)
         outputs[k] = out[k].lane;
-    job.run({inputs, outputs, 0, job.lanes});
+    job.run({inputs, outputs, 0, (count + job.lanes - 1) & ~(job.lanes - 1)});
     for (std::size_t k = 0; k < std::min(job.output_count, most_outputs); ++k)
         std::copy_n(out[k].lane, count, job.outputs[k] + begin);
 }
@@ -236,9 +251,15 @@ void run_spectral(const instruction_set& set, const spectral_call& call) noexcep
 }
 
 void run_job(const batch_job& job, std::size_t begin, std::size_t end) noexcept {
+    if (job.past_caches) {
+        // up to where a cache line of the results begins, which malloc's arrays do not
+        const std::size_t head = std::min(values_to_line(job.outputs[0] + begin), end - begin);
+        if (head > 0) run_few(job, begin, head);
+        begin += head;
+    }
     const std::size_t rest = (end - begin) & (job.lanes - 1);
     if (end - begin > rest) run_whole(job, begin, end - rest);
-    if (rest > 0) run_rest(job, end - rest, rest);
+    if (rest > 0) run_few(job, end - rest, rest);
 }
 
 } // namespace fresnel

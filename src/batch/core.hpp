@@ -75,6 +75,7 @@ struct batch_job {
     batch_argument inputs[most_inputs]; ///< the parameters, then cos_i
     float singles[most_inputs];         ///< of the inputs that are single values
     float* outputs[most_outputs];
+    bool past_caches; ///< as kernel_call's, for the whole call, however many threads share it
 };
 
 /// Why a call cannot be run; `input` is the place among the inputs of the one at fault.

@@ -21,7 +21,7 @@ struct kernel_call {
     const batch_argument* inputs; ///< the parameters (for rgb those of red, of green, of blue), then cos_i
     float* const* outputs;
     std::size_t begin, end; ///< a multiple of the model's lanes apart
-    /// So many results that no cache would keep them; the outputs begin at a multiple of 64 bytes.
+    /// So many results that no cache would keep them; those at `begin` lie at multiples of 64 bytes.
     bool past_caches = false;
     bool fetch_ahead = false; ///< past the caches, memory is to be asked for inputs before they are read
 };
