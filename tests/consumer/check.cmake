@@ -29,3 +29,4 @@ run(${CMAKE_COMMAND} --install ${BUILT} --prefix ${WORK}/prefix_of_all)
 build_and_run(installed_all -DCMAKE_PREFIX_PATH=${WORK}/prefix_of_all
     "-DCMAKE_C_FLAGS=${C_FLAGS}" "-DCMAKE_CXX_FLAGS=${C_FLAGS}")
 run(${WORK}/installed_all/c_consumer)
+run(${WORK}/installed_all/c_consumer_of_shared)
