@@ -20,6 +20,8 @@ struct batch_argument {
 
     static batch_argument array(const float* data) { return {data, 1}; }
     static batch_argument same(const float& value) { return {&value, 0}; }
+    static batch_argument
+    same(const float&& value) = delete; ///< nor a double: the float would be gone at the call
 };
 
 /// How to run; the result does not depend on it.
