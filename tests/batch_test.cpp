@@ -473,9 +473,9 @@ TEST(batch, refuses_what_it_cannot_run_and_says_why) {
     EXPECT_EQ(message("schlik", {one}, R), "model 'schlik' is unknown (did you mean 'schlick'?)");
     EXPECT_EQ(message("foo", {one}, R), "model 'foo' is unknown"); // f82 is another word
     EXPECT_EQ(message("schlick", {}, R), "model 'schlick' has 1 parameters here, not 0");
-    EXPECT_EQ(message("schlick", {{nullptr, 1}}, R), "parameter 0 is null");
-    EXPECT_EQ(message("schlick", {{&x, 2}}, R), "parameter 0 has stride 2: must be 0 or 1");
-    EXPECT_EQ(message("schlick", {one}, nullptr), "an output is null");
+    EXPECT_EQ(message("schlick", {{nullptr, 1}}, R), "f0 is null");
+    EXPECT_EQ(message("schlick", {{&x, 2}}, R), "f0 has stride 2: must be 0 or 1");
+    EXPECT_EQ(message("schlick", {one}, nullptr), "R is null");
     EXPECT_TRUE(
         message("schlick", {one}, R, "mmx").starts_with("instruction set 'mmx' is not one of scalar"));
     EXPECT_EQ(refusal([&] { evaluate_batch_polarised("schlick", {{one}}, one, 1, {R, R + 1}); }),
@@ -484,7 +484,31 @@ TEST(batch, refuses_what_it_cannot_run_and_says_why) {
                   evaluate_batch_polarised("dielectric", std::vector{one, one}, one, 1,
                                            {R, R + 1, R + 2, nullptr});
               }),
-              "an output is null");
+              "T_p is null");
+}
+
+TEST(batch, refusals_name_the_argument_and_the_channel) {
+    const float x = 0.5F;
+    float R[4] = {};
+    const batch_argument one = batch_argument::same(x), none{nullptr, 1}, odd{&x, 3};
+    const auto rgb = [&](std::vector<batch_argument> parameters, batch_argument cos_i,
+                         std::array<float*, 3> to) {
+        return refusal([&] { evaluate_batch_rgb("air_conductor", parameters, cos_i, 1, to); });
+    };
+    const std::array<float*, 3> to{R, R + 1, R + 2};
+    EXPECT_EQ(rgb({6, one}, one, to), "");
+    EXPECT_EQ(rgb({one, one, one, none, one, one}, one, to), "k of green is null");
+    EXPECT_EQ(rgb({one, one, one, one, odd, one}, one, to), "n of blue has stride 3: must be 0 or 1");
+    EXPECT_EQ(rgb({6, one}, none, to), "cos_i is null");
+    EXPECT_EQ(rgb({6, one}, odd, to), "cos_i has stride 3: must be 0 or 1");
+    EXPECT_EQ(rgb({6, one}, one, {nullptr, R, R}), "red is null");
+    EXPECT_EQ(rgb({6, one}, one, {R, R, nullptr}), "blue is null");
+    const auto polarised = [&](const batch_polarised& parts) {
+        return refusal([&] { evaluate_batch_polarised("dielectric", std::vector{one, one}, one, 1, parts); });
+    };
+    EXPECT_EQ(polarised({nullptr, R}), "R_s is null");
+    EXPECT_EQ(polarised({R, nullptr}), "R_p is null");
+    EXPECT_EQ(polarised({R, R + 1, nullptr, R + 2}), "T_s is null");
 }
 
 /// The widest, or what FRESNEL_ISA of the environment says: ctest runs this with several.
@@ -520,6 +544,8 @@ TEST(batch, a_spectral_table_adds_the_weighted_reflectances_of_its_wavelengths) 
     }
     EXPECT_EQ(refusal([&] { spectral_table({n, {}, {}}, {}, {}); }),
               "k_t has 0 wavelengths: must be as many as n_t has, 81");
+    EXPECT_EQ(refusal([&] { spectral_table({n, k, {n, {n.data(), 3}, n}}, {}, {}); }),
+              "weights[1] (green) has 3 wavelengths: must be as many as n_t has, 81");
 }
 
 TEST(batch, every_machine_has_the_scalar_path_and_its_widest_by_default) {

@@ -40,25 +40,48 @@ const instruction_set& instruction_set_named(std::string_view name) {
 
 // ---- what is wrong with a call ----------------------------------------------------------------------------
 
+constexpr std::string_view channels[] = {"red", "green", "blue"};
+
+/// "f0", or "f0 of green" where there are three; after the parameters "cos_i".
+std::string input_name(quantity wanted, const batch_model& model, std::size_t place) {
+    if (place == parameters_of(wanted, model)) return "cos_i";
+    const std::string name(model.parameters[place % model.parameter_count].name);
+    return wanted == quantity::rgb ? name + " of " + std::string(channels[place / model.parameter_count])
+                                   : name;
+}
+
+std::string output_name(quantity wanted, std::size_t place) {
+    constexpr std::string_view parts[] = {"R_s", "R_p", "T_s", "T_p"};
+    switch (wanted) {
+    case quantity::reflectance:
+        break;
+    case quantity::polarised:
+        return std::string(parts[place]);
+    case quantity::rgb:
+        return std::string(channels[place]);
+    }
+    return "R";
+}
+
 std::string message_of(const refusal& refused, quantity wanted, const batch_model& model,
                        std::span<const batch_argument> parameters, const batch_argument& cos_i) {
-    const bool is_angle = refused.input == parameters.size();
-    const std::string input = is_angle ? "cos_i" : "parameter " + std::to_string(refused.input);
+    const auto input = [&] { return input_name(wanted, model, refused.place); };
     const std::string name = "model '" + std::string(model.name) + "'";
     switch (refused.why) {
     case refusal::parameter_count:
         return name + " has " + std::to_string(parameters_of(wanted, model)) + " parameters here, not " +
                std::to_string(parameters.size());
     case refusal::null_input:
-        return input + " is null";
+        return input() + " is null";
     case refusal::bad_stride:
-        return input + " has stride " +
-               std::to_string(is_angle ? cos_i.stride : parameters[refused.input].stride) +
+        return input() + " has stride " +
+               std::to_string(refused.place == parameters.size() ? cos_i.stride
+                                                                 : parameters[refused.place].stride) +
                ": must be 0 or 1";
     case refusal::not_polarised:
         return name + " is not exact and has no R_s, R_p";
     case refusal::null_output:
-        return "an output is null";
+        return output_name(wanted, refused.place) + " is null";
     case refusal::none:
         break;
     }
@@ -133,14 +156,14 @@ void evaluate_batch_rgb(std::string_view model, std::span<const batch_argument> 
 void spectral_table(const spectral_index& spectrum, std::span<const float> cos_i,
                     const std::array<float*, 3>& rgb, std::string_view instruction_set) {
     const std::size_t wavelengths = spectrum.n_t.size();
-    const auto check = [&](std::string_view what, std::span<const float> values) {
+    const auto check = [&](const std::string& what, std::span<const float> values) {
         if (values.size() != wavelengths)
-            throw bad_input(std::string(what) + " has " + std::to_string(values.size()) +
+            throw bad_input(what + " has " + std::to_string(values.size()) +
                             " wavelengths: must be as many as n_t has, " + std::to_string(wavelengths));
     };
     check("k_t", spectrum.k_t);
-    for (const std::span<const float> weights : spectrum.weights)
-        check("weights", weights);
+    for (std::size_t k = 0; k < 3; ++k)
+        check("weights[" + std::to_string(k) + "] (" + std::string(channels[k]) + ")", spectrum.weights[k]);
     const auto& w = spectrum.weights;
     run_spectral(instruction_set_named(instruction_set), {spectrum.n_t.data(),
                                                           spectrum.k_t.data(),

@@ -164,8 +164,8 @@ refusal make_job(quantity wanted, const batch_model& model, const instruction_se
     if (count == 0) return {};
     const refusal refused = check_inputs({job.inputs, job.input_count});
     if (refused.why != refusal::none) return refused;
-    const bool complete = std::none_of(job.outputs, job.outputs + output_count, [](float* p) { return !p; });
-    if (!complete) return {refusal::null_output};
+    for (std::size_t k = 0; k < output_count; ++k)
+        if (!job.outputs[k]) return {refusal::null_output, k};
     keep_singles(job);
     job.past_caches = count >= values_past_caches && !in_place(job);
     return {};

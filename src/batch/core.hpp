@@ -78,11 +78,11 @@ struct batch_job {
     bool past_caches; ///< as kernel_call's, for the whole call, however many threads share it
 };
 
-/// Why a call cannot be run; `input` is the place among the inputs of the one at fault.
+/// Why a call cannot be run; `place` is that of the one at fault among the inputs, or among the outputs.
 struct refusal {
     enum reason { none, parameter_count, null_input, bad_stride, not_polarised, null_output };
     reason why = none;
-    std::size_t input = 0;
+    std::size_t place = 0;
 };
 
 /// How many parameters a call must bring: three times as many for rgb.
