@@ -546,6 +546,10 @@ TEST(batch, a_spectral_table_adds_the_weighted_reflectances_of_its_wavelengths) 
               "k_t has 0 wavelengths: must be as many as n_t has, 81");
     EXPECT_EQ(refusal([&] { spectral_table({n, k, {n, {n.data(), 3}, n}}, {}, {}); }),
               "weights[1] (green) has 3 wavelengths: must be as many as n_t has, 81");
+    float R = 0;
+    EXPECT_EQ(refusal([&] { spectral_table({n, k, {n, n, n}}, {&n[0], 1}, {&R, &R, nullptr}); }),
+              "blue is null");
+    EXPECT_EQ(refusal([&] { spectral_table({n, k, {n, n, n}}, {}, {}); }), "");
 }
 
 TEST(batch, every_machine_has_the_scalar_path_and_its_widest_by_default) {

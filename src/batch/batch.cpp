@@ -164,6 +164,8 @@ void spectral_table(const spectral_index& spectrum, std::span<const float> cos_i
     check("k_t", spectrum.k_t);
     for (std::size_t k = 0; k < 3; ++k)
         check("weights[" + std::to_string(k) + "] (" + std::string(channels[k]) + ")", spectrum.weights[k]);
+    for (std::size_t k = 0; k < 3; ++k)
+        if (!rgb[k] && !cos_i.empty()) throw bad_input(std::string(channels[k]) + " is null");
     const auto& w = spectrum.weights;
     run_spectral(instruction_set_named(instruction_set), {spectrum.n_t.data(),
                                                           spectrum.k_t.data(),

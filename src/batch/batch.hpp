@@ -66,8 +66,8 @@ struct spectral_index {
 /// Reflectance of a material at many angles as three channels, integrated over the spectrum by `conductor`.
 ///
 /// cos_i     the angles                    [0, 1], any number
-/// rgb       for each channel as many floats as there are angles
-/// throws    bad_input where the spectrum's arrays differ in length, or the instruction set is unknown
+/// rgb       for each channel as many floats as there are angles; must overlap nothing else
+/// throws    bad_input where the spectrum's arrays differ in length, a channel is null, or the instruction set is unknown
 void spectral_table(const spectral_index& spectrum, std::span<const float> cos_i,
                     const std::array<float*, 3>& rgb, std::string_view instruction_set = {});
 
