@@ -6,7 +6,8 @@
  *
  * Every function may be called from several threads at once, runs on the thread that calls it, allocates nothing,
  * keeps no pointer and throws nothing. Texts that are returned live as long as the program. To use several threads,
- * call from each with a part of the arrays: the results are the same.
+ * call from each with a part of the arrays: the results are the same. The floating-point environment of the calling thread
+ * must be the default: rounding to nearest, denormals kept (no FTZ or DAZ, which -ffast-math may set for a program).
  *
  * Models are known by name: "dielectric", "conductor", "schlick", "f82", ...; fresnel_model_name lists them, and
  * docs/models.md has the equation and the error of each. cos_i is the cosine of the angle of incidence, in [0, 1]. The

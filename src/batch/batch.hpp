@@ -2,7 +2,8 @@
 
 // Models on arrays, at the speed of the machine's widest instructions.
 //
-// Every instruction set gives the same bits, and as the scalar code does (a NaN is a NaN, its payload aside). The
+// Every instruction set gives the same bits, and as the scalar code does (a NaN is a NaN, its payload aside), in the
+// default floating-point environment: rounding to nearest, denormals kept, on every thread that calls. The
 // arguments are not checked against the models' domains: what lies outside gives some number or NaN.
 
 #include <array>
