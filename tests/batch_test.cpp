@@ -416,9 +416,22 @@ TEST(batch, threads_give_what_one_thread_gives) {
         if (row.name != "conductor") return;
         const points at = random_points(row, 300007 / thinning);
         const floats expected = reflectances(at, {.threads = 1});
-        for (const unsigned threads : {0u, 2u, 3u, 7u, 64u})
+        for (const unsigned threads : {0u, 2u, 3u, 7u, 64u, 4'000'000'000u})
             EXPECT_TRUE(identical(at, reflectances(at, {.threads = threads}), expected)) << threads;
     });
+}
+
+TEST(batch, threads_are_as_many_as_the_machine_and_the_values_have_use_for) {
+    const std::size_t processors = std::max(std::thread::hardware_concurrency(), 1u);
+    const std::size_t many = std::size_t{1} << 30;
+    EXPECT_EQ(choose_threads(0, 0), 1u);
+    EXPECT_EQ(choose_threads(131071, 0), 1u);
+    EXPECT_EQ(choose_threads(131072, 0), std::min<std::size_t>(2, processors));
+    EXPECT_EQ(choose_threads(many, 0), processors);
+    EXPECT_EQ(choose_threads(0, 7), 1u);
+    EXPECT_EQ(choose_threads(129, 3), 2u);
+    EXPECT_EQ(choose_threads(many, 3), 3u);
+    EXPECT_EQ(choose_threads(many, 4'000'000'000), 4 * processors);
 }
 
 TEST(batch, results_may_replace_an_argument) {

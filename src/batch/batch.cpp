@@ -88,22 +88,27 @@ std::string message_of(const refusal& refused, quantity wanted, const batch_mode
     return "";
 }
 
+} // namespace
+
 // ---- threads ----------------------------------------------------------------------------------------------
 
 #if defined(__STDCPP_THREADS__)
 
-constexpr std::size_t values_per_thread = 65536;
-
-std::size_t thread_count(std::size_t count, unsigned wanted) {
-    if (wanted > 0) return std::min<std::size_t>(wanted, std::max<std::size_t>(count, 1));
-    const std::size_t useful = count / values_per_thread;
-    return std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, std::max<std::size_t>(useful, 1));
+std::size_t choose_threads(std::size_t count, unsigned wanted) {
+    constexpr std::size_t values_per_thread = 65536, most_per_processor = 4;
+    const std::size_t processors = std::max(std::thread::hardware_concurrency(), 1u);
+    if (wanted == 0) return std::clamp<std::size_t>(count / values_per_thread, 1, processors);
+    const std::size_t most = std::min<std::size_t>(wanted, most_per_processor * processors);
+    return std::clamp<std::size_t>(count / most_lanes, 1, most);
 }
 
-/// Runs the job in equal parts; a part for which the system grants no thread is run by the caller.
+namespace {
+
+/// Runs the job in equal parts, of whole batches but for the last; a part for which the system grants no thread is run by
+/// the caller.
 void run_threads(const batch_job& job, std::size_t count, unsigned wanted) {
-    const std::size_t threads = thread_count(count, wanted);
-    const std::size_t part = (count / threads + most_lanes) / most_lanes * most_lanes;
+    const std::size_t whole = choose_threads(count, wanted) * most_lanes;
+    const std::size_t part = (count + whole - 1) / whole * most_lanes;
     std::vector<std::jthread> running;
     for (std::size_t begin = part; begin < count; begin += part) {
         const std::size_t end = std::min(begin + part, count);
@@ -116,11 +121,21 @@ void run_threads(const batch_job& job, std::size_t count, unsigned wanted) {
     run_job(job, 0, std::min(part, count));
 }
 
+} // namespace
+
 #else // WebAssembly, unless compiled with -pthread
+
+std::size_t choose_threads(std::size_t, unsigned) { return 1; }
+
+namespace {
 
 void run_threads(const batch_job& job, std::size_t count, unsigned) { run_job(job, 0, count); }
 
+} // namespace
+
 #endif
+
+namespace {
 
 void evaluate(quantity wanted, std::string_view model, std::span<const batch_argument> parameters,
               batch_argument cos_i, std::size_t count, std::span<float* const> outputs,

@@ -21,14 +21,16 @@ struct batch_argument {
 
     static batch_argument array(const float* data) { return {data, 1}; }
     static batch_argument same(const float& value) { return {&value, 0}; }
-    static batch_argument
-    same(const float&& value) = delete; ///< nor a double: the float would be gone at the call
+    /// A number written out, or a double: the float would be gone at the call.
+    static batch_argument same(const float&&) = delete;
 };
 
 /// How to run; the result does not depend on it.
 struct batch_options {
     std::string_view instruction_set = {}; ///< empty: FRESNEL_ISA of the environment, or the widest there is
-    unsigned threads = 0;                  ///< 0: as many as the machine has, each with 65,536 values or more
+    /// 0: as many as the machine has, but no more than one for every 65,536 values. Otherwise the most to use; never more
+    /// than four for each that the machine has.
+    unsigned threads = 0;
 };
 
 /// Where the parts of a polarised result go: R_s and R_p, and T_s and T_p both or neither (null).
@@ -75,8 +77,11 @@ void spectral_table(const spectral_index& spectrum, std::span<const float> cos_i
 /// The instruction sets that this machine runs, narrowest first: scalar, then sse2, avx2, avx512 or neon or simd128.
 std::vector<std::string_view> instruction_sets();
 
-/// The name that `wanted` stands for: itself, or the widest where it is empty; throws bad_input with the allowed
-/// names where this machine has no such instruction set.
+/// The name that `wanted` stands for: itself, or where it is empty FRESNEL_ISA of the environment, or the widest; throws
+/// bad_input with the allowed names where this machine has no such instruction set.
 std::string_view choose_instruction_set(std::string_view wanted);
+
+/// How many threads at most share a batch of `count` values where `wanted` is batch_options::threads.
+std::size_t choose_threads(std::size_t count, unsigned wanted);
 
 } // namespace fresnel
