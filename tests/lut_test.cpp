@@ -622,6 +622,8 @@ TEST_F(lut_command, what_cannot_be_baked_is_refused) {
     expect_refused("lut dielectric --fix n_t=0", {"n_t = 0", "[0.001, 1000]"});
     expect_refused("lut gold --fix n_t=2", {"--fix", "gold", "material"});
     expect_refused("lut gold --by eta", {"--by eta", "gold", "material"});
+    expect_refused("lut dielectric --ambient 1.333", {"--ambient 1.333", "material", "--fix n_i=1.333"});
+    expect_refused("lut schlick --space p3", {"--space p3", "material", "--fix"});
     expect_refused("lut dielectric --plot t.gif", {"--plot 't.gif'", ".svg"});
     expect_refused("lut dielectric --by eta --plot t.svg", {"--plot", "--by"});
     expect_refused("lut dielectric --errors --out t.png", {"t.png", "--errors"});

@@ -317,6 +317,13 @@ TEST_F(plots, what_cannot_be_plotted_is_refused) {
     expect_refused("plot schlick --fit golld", {"golld", "gold"});
 }
 
+TEST_F(plots, colours_that_nothing_depends_on_are_refused) {
+    expect_refused("plot schlick --ambient 1.333", {"--ambient 1.333", "material", "n_i"});
+    expect_refused("plot schlick --space p3", {"--space p3", "material", "--fit"});
+    expect_refused("plot gold --wavelength 500 --space p3", {"--space p3", "--wavelength"});
+    expect_refused("plot gold --surface --space p3", {"--space p3", "--surface"});
+}
+
 TEST_F(plots, errors_families_and_surfaces_that_make_no_sense_are_refused) {
     expect_refused("plot schlick --error", {"--error 'schlick'", "approximation"});
     expect_refused("plot gold --error schlick", {"--error 'schlick'", "exact"});

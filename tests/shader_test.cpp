@@ -109,12 +109,27 @@ TEST_F(shader, fixed_parameters_are_gone_and_folded) {
 TEST_F(shader, material_gives_constants_with_their_source) {
     const std::string glsl = text("schlick --material gold --space acescg --name gold");
     expect_holds(glsl, "vec3 gold(float cos_i) {\n");
-    expect_holds(glsl, "// data    gold, fitted in linear acescg; P. B. Johnson and R. W. Christy");
+    expect_holds(glsl, "// data    gold, fitted in linear ACEScg; P. B. Johnson and R. W. Christy");
+    expect_holds(text("schlick --material gold --ambient 1.333"),
+                 "// data    gold, fitted in linear sRGB, ambient 1.333; P. B. Johnson");
     const nlohmann::json f0 = json("f0 gold --json --space acescg")["f0"];
     std::string expected = "vec3 f0 = vec3(";
     expect_holds(glsl, expected);
     const std::size_t at = glsl.find(expected) + expected.size();
     EXPECT_NEAR(std::stod(glsl.substr(at)), f0[0].get<double>(), 1e-6);
+}
+
+TEST_F(shader, the_command_in_a_text_makes_it_again) {
+    for (const char* arguments :
+         {"schlick f82 --lang wgsl --fix f0=0.04",
+          "gulbrandsen --material gold --space acescg --ambient 1.333",
+          "schlick --material gold --ambient 1.333 --technique per-pixel --lang glsl --stage fragment",
+          "schlick --technique lut --stage vertex --name mine"}) {
+        const std::string printed = text(arguments);
+        const std::string made_by = "Made by `fresnel shader ";
+        const std::size_t begin = printed.find(made_by) + made_by.size();
+        EXPECT_EQ(text(printed.substr(begin, printed.find('`', begin) - begin)), printed) << arguments;
+    }
 }
 
 TEST_F(shader, hostile_names_are_made_legal_and_said) {
@@ -162,6 +177,17 @@ TEST_F(shader, bad_input_is_refused_by_name) {
     expect_refused("shader schlick f82 --name mine", {"--name", "mine", "2"});
     expect_refused("shader schlick --all", {"--all"});
     expect_refused("shader --check nowhere", {"--check", "nowhere"});
+}
+
+TEST_F(shader, an_option_that_nothing_takes_is_refused) {
+    expect_refused("shader dielectric --ambient 1.333", {"--ambient 1.333", "--material", "--fix n_i=1.333"});
+    expect_refused("shader schlick --space acescg", {"--space acescg", "--material", "--fix"});
+    expect_refused("shader --all --fix f0=0.04", {"--fix 'f0=0.04'", "--all", "MODEL"});
+    expect_refused("shader --all --material gold", {"--material 'gold'", "--all", "MODEL"});
+    expect_refused("shader --write packs --lang hlsl", {"--write", "--lang"});
+    expect_refused("shader --write packs --check packs", {"--write", "--check"});
+    expect_refused("shader --check packs schlick", {"--check", "MODEL"});
+    expect_refused("shader --verify schlick --space p3", {"--verify", "--space"});
 }
 
 TEST_F(shader, a_folder_that_cannot_be_written_is_a_failure) {

@@ -10,25 +10,6 @@
 
 namespace fresnel::cli {
 
-void add_colour_options(CLI::App& command, colour_options& given) {
-    command.add_option("--space", given.space, "srgb, p3, rec2020, acescg or xyz (default srgb)")
-        ->type_name("S");
-    command.add_option("--ambient", given.ambient, "index of the medium outside (default 1, air)")
-        ->type_name("N");
-}
-
-color_space chosen_space(const colour_options& given) {
-    if (const auto space = parse_color_space(given.space)) return *space;
-    throw bad_input(
-        fmt::format("--space '{}': must be one of {}", given.space, fmt::join(color_space_names, ", ")));
-}
-
-double chosen_ambient(const colour_options& given) {
-    const double ambient = parse_number("--ambient", given.ambient);
-    check_range({"--ambient", "1", row::n_i.min, row::n_i.max, 1}, ambient);
-    return ambient;
-}
-
 namespace {
 
 struct options {

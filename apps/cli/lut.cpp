@@ -32,6 +32,7 @@ struct options {
 emit::lut_subject subject_of(const options& given) {
     const plot_subject found = find_subject(given.what);
     if (found.model != nullptr) {
+        refuse_colours(given.colour, "a material");
         std::map<std::string, std::array<float, 3>> fixed;
         for (const std::string& text : given.fixed)
             add_fixed(text, fixed);
@@ -103,8 +104,7 @@ std::string made_by(const options& given) {
     for (const std::string& fixed : given.fixed)
         add("--fix", fixed);
     add("--by", given.by), add("--size", given.size), add("--map", given.map == "auto" ? "" : given.map);
-    add("--format", given.format), add("--space", given.colour.space == "srgb" ? "" : given.colour.space);
-    add("--ambient", given.colour.ambient == "1" ? "" : given.colour.ambient);
+    add("--format", given.format), line += colour_arguments(given.colour);
     add("--lang", given.language), add("--name", given.name), add("--out", given.out);
     return line;
 }

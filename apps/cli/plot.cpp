@@ -74,6 +74,38 @@ void choose_reference(const options& given, plot_request& asked) {
     asked.subjects.erase(asked.subjects.begin());
 }
 
+// Whether a material is plotted, fitted to, or what the others are compared with.
+bool has_material(const plot_request& asked) {
+    const auto is_material = [](const plot_subject& s) { return s.substance.has_value(); };
+    return asked.fitted_to || (asked.reference && is_material(*asked.reference)) ||
+           std::any_of(asked.subjects.begin(), asked.subjects.end(), is_material);
+}
+
+// Whether a model takes the index in front, which is the ambient one unless it is given.
+bool takes_n_i(const plot_request& asked) {
+    const auto takes = [](const plot_subject& s) {
+        return s.model != nullptr && std::any_of(s.model->parameters.begin(), s.model->parameters.end(),
+                                                 [](const parameter& p) { return p.name == "n_i"; });
+    };
+    return (asked.reference && takes(*asked.reference)) ||
+           std::any_of(asked.subjects.begin(), asked.subjects.end(), takes);
+}
+
+// Colours that nothing plotted depends on.
+void check_colours(const options& given, const plot_request& asked) {
+    const bool has_space = given.colour.space != colour_options().space;
+    if (has_space && (asked.wavelength_nm || asked.surface))
+        throw bad_input(fmt::format("--space {}: single wavelengths have no colours; leave it or {} out",
+                                    given.colour.space, asked.surface ? "--surface" : "--wavelength"));
+    if (has_material(asked)) return;
+    if (has_space)
+        throw bad_input(fmt::format("--space {}: is of a material; name one, or --fit the models to it",
+                                    given.colour.space));
+    if (given.colour.ambient != colour_options().ambient && !takes_n_i(asked))
+        throw bad_input(fmt::format("--ambient {}: is of a material or of a model with n_i; name one",
+                                    given.colour.ambient));
+}
+
 plot_request request_of(const options& given) {
     plot_request asked;
     asked.id = given.out.empty() ? "plot" : slug(std::filesystem::path(given.out.front()).stem().string());
@@ -90,6 +122,7 @@ plot_request request_of(const options& given) {
     if (!given.wavelength.empty()) asked.wavelength_nm = chosen_wavelength(given);
     asked.space = chosen_space(given.colour), asked.ambient = chosen_ambient(given.colour);
     asked.strips = given.strip, asked.surface = given.surface;
+    check_colours(given, asked);
     return asked;
 }
 

@@ -4,6 +4,7 @@
 #include "verify_options.hpp"
 
 #include "analysis/compare.hpp"
+#include "analysis/drawing.hpp"
 #include "emit/library.hpp"
 #include "emit/pack.hpp"
 #include "emit/technique.hpp"
@@ -27,6 +28,13 @@ struct options {
     verify_options verify;
 };
 
+// The material and what its parameters were fitted to: "gold, fitted in linear ACEScg, ambient 1.333; Johnson ...".
+std::string source_of(const options& given, const material& substance) {
+    const double ambient = chosen_ambient(given.colour);
+    return fmt::format("{}, fitted in {}{}; {}", given.material, space_title(chosen_space(given.colour)),
+                       ambient == 1 ? "" : fmt::format(", ambient {}", ambient), substance.citation);
+}
+
 void add_material(const options& given, const std::string& model, emit::model_request& request) {
     if (find_model<double>(model).kind == model_kind::exact)
         throw bad_input(
@@ -34,16 +42,14 @@ void add_material(const options& given, const std::string& model, emit::model_re
                         "through the exact colours",
                         model));
     const material substance = load_material(given.material);
-    const color_space space = chosen_space(given.colour);
-    const comparison all = compare(substance, space, chosen_ambient(given.colour));
+    const comparison all = compare(substance, chosen_space(given.colour), chosen_ambient(given.colour));
     const model_fit* found = all.find(model);
     if (found == nullptr)
         throw bad_input(
             fmt::format("--material {} with {}: the model does not suit it", given.material, model));
     request.error = fmt::format("at most {:.3g} in a channel, CIEDE2000 {:.2g}, against the exact colours",
                                 found->error.worst(), found->error.delta_e_max);
-    request.about =
-        fmt::format("{}, fitted in linear {}; {}", given.material, to_string(space), substance.citation);
+    request.about = source_of(given, substance);
     const auto& parameters = find_model<double>(model).parameters;
     for (std::size_t i = 0; i < parameters.size(); ++i)
         request.fixed.try_emplace(std::string(parameters[i].name),
@@ -59,15 +65,28 @@ std::string made_by(const options& given) {
     line += " --lang " + given.language;
     for (const std::string& fixed : given.fixed)
         line += " --fix " + fixed;
-    if (!given.material.empty()) line += " --material " + given.material;
+    if (!given.material.empty()) line += " --material " + given.material + colour_arguments(given.colour);
     if (!given.name.empty()) line += " --name " + given.name;
     if (!given.technique.empty()) line += " --technique " + given.technique;
+    if (!given.stage.empty()) line += " --stage " + given.stage;
     return line;
+}
+
+// A library holds the models as they are.
+void refuse_own_options(const options& given) {
+    const std::pair<std::string_view, std::string> own[] = {
+        {"--fix", given.fixed.empty() ? "" : given.fixed.front()}, {"--material", given.material}};
+    for (const auto& [option, value] : own)
+        if (!value.empty())
+            throw bad_input(
+                fmt::format("{} '{}': --all takes no constants; name a MODEL instead of it", option, value));
 }
 
 void check(const options& given) {
     if (given.all == !given.models.empty())
         throw bad_input(given.all ? "--all: takes no MODEL" : "MODEL: name one or more, or give --all");
+    if (given.all) refuse_own_options(given);
+    if (given.material.empty()) refuse_colours(given.colour, "a --material");
     if (!given.name.empty() && given.models.size() != 1)
         throw bad_input(fmt::format("--name '{}': names one function, but {} models are given", given.name,
                                     given.models.size()));
@@ -135,7 +154,6 @@ void run(const options& given) {
         check_folder(given.check);
         return;
     }
-    if (given.verify.wanted) return run_verify(given.verify, given.models);
     check(given);
     const std::string text = text_of(given);
     if (given.out.empty()) {
@@ -188,6 +206,11 @@ void add_shader(CLI::App& app) {
         ->add_option("--check", given->check, "compare this folder with what --write makes; 1 if they differ")
         ->type_name("DIR");
     add_colour_options(*command, given->colour);
+    for (const char* folder : {"--write", "--check"})
+        for (const char* other : {"MODEL", "--lang", "--fix", "--material", "--name", "--out", "--all",
+                                  "--technique", "--stage", "--space", "--ambient"})
+            command->get_option(folder)->excludes(command->get_option(other));
+    command->get_option("--write")->excludes(command->get_option("--check"));
     add_verify_options(*command, given->verify);
     command->callback([given] { run(*given); });
 }

@@ -88,7 +88,8 @@ void add_verify_options(CLI::App& command, verify_options& given) {
                                                  "run the text on graphics devices, by C compilers and by "
                                                  "nvcc where they are, compare bit by bit with the model");
     for (const char* other :
-         {"--lang", "--fix", "--material", "--name", "--out", "--all", "--write", "--check", "--technique"})
+         {"--lang", "--fix", "--material", "--name", "--out", "--all", "--write", "--check", "--technique",
+          "--stage", "--space", "--ambient"})
         verify->excludes(command.get_option(other));
     command.add_flag("--json", given.json, "with --verify: JSON")->needs(verify);
     command
