@@ -113,6 +113,17 @@ TEST_F(conform, text_report_says_what_was_run_and_where) {
     EXPECT_NE(bad.out.find("must be"), std::string::npos) << bad.out;
 }
 
+TEST_F(conform, an_input_fails_once_however_many_its_channels) {
+    write("a.glsl", "vec3 F(vec3 f0, float u) { return f0 + (1.0 - f0) * pow(1.0 - u, 5.0); }\n");
+    const outcome result = run("conform a.glsl --function F --as schlick --json");
+    EXPECT_EQ(result.code, 1);
+    const nlohmann::json failures = nlohmann::json::parse(result.out)["first_failures"];
+    ASSERT_EQ(failures.size(), 5u);
+    std::set<std::string> inputs;
+    for (const nlohmann::json& failure : failures)
+        EXPECT_TRUE(inputs.insert(failure["inputs"].dump()).second) << failure.dump();
+}
+
 TEST_F(conform, arguments_are_expressions) {
     write("a.glsl", "float F(float one, float u, vec3 unused) {\n    float m = 1.0 + u;\n"
                     "    return 0.04 * one + (1.0 - 0.04 * one) * m * m * m * m * m;\n}\n");

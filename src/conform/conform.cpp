@@ -181,19 +181,23 @@ private:
 void look_beyond(const binding& bound, const std::vector<sample>& samples, const std::vector<float>& got,
                  conformance& found) {
     const auto width = static_cast<std::size_t>(bound.chosen().width);
-    for (std::size_t i = 0; i < got.size(); ++i) {
-        const bool nan = std::isnan(got[i]);
-        // a function of directions is the one that has to limit their cosine
-        const bool outside = bound.takes_directions() && (got[i] < 0 || got[i] > 1 + 1e-6f);
-        found.beyond_nan += nan ? 1 : 0, found.beyond_range += outside ? 1 : 0;
-        if ((!nan && !outside) || found.first_failures.size() >= shown_failures) continue;
-        const sample& s = samples[i / width];
-        const float* row = &got[i / width * width];
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const float* row = &got[i * width];
+        std::string why; // of the first channel that fails
+        for (std::size_t c = 0; c < width; ++c) {
+            const bool nan = std::isnan(row[c]);
+            // a function of directions is the one that has to limit their cosine
+            const bool outside = bound.takes_directions() && (row[c] < 0 || row[c] > 1 + 1e-6f);
+            found.beyond_nan += nan ? 1 : 0, found.beyond_range += outside ? 1 : 0;
+            if (why.empty() && (nan || outside)) why = nan ? "NaN outside of [0, 1]" : "no reflectance";
+        }
+        if (why.empty() || found.first_failures.size() >= shown_failures) continue;
+        const sample& s = samples[i];
         found.first_failures.push_back({named(bound, s, s.cos_i),
                                         bound.arguments(s),
                                         bound.expected(s, std::clamp(bound.angle(s), 0.0, 1.0)),
                                         {row, row + width},
-                                        nan ? "NaN outside of [0, 1]" : "no reflectance"});
+                                        why});
     }
     if (found.beyond_nan > 0)
         found.findings.push_back(fmt::format("{} values are NaN for {}", found.beyond_nan,
