@@ -598,6 +598,15 @@ TEST_F(lut_device, a_wrong_texel_shows_there_too) {
     EXPECT_GT(device_error(*device, table), 0.009);
 }
 
+TEST_F(lut_command, a_material_s_text_cites_the_measurement) {
+    for (const char* options : {"", " --format c"}) {
+        const std::string printed = run(std::string("lut gold --size 16") + options).out;
+        EXPECT_NE(printed.find("// data      P. B. Johnson and R. W. Christy."), std::string::npos)
+            << printed;
+        EXPECT_EQ(run(std::string("lut schlick --size 16") + options).out.find("// data"), std::string::npos);
+    }
+}
+
 // ---- bad input ----------------------------------------------------------------------------------------------------
 
 TEST_F(lut_command, what_cannot_be_baked_is_refused) {

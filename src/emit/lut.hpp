@@ -54,6 +54,7 @@ struct lut_subject {
     int channels;        ///< 1 or 3
     double critical = 0; ///< cosine of the critical angle, below which reflectance is 1; 0: there is none
     std::optional<lut_axis> by = {};
+    std::string data = {}; ///< what the numbers of a material are from
     /// Exact values at those cosines, and at one place of the second axis.
     std::function<std::vector<rgb>(const std::vector<double>& cos_i, double by)> reflectance = {};
 };

@@ -213,6 +213,7 @@ lut_subject material_subject(const material& substance, color_space space, doubl
     lut_subject subject{substance.name,
                         fmt::format("{} in {}, ambient {}", substance.name, space_title(space), ambient), 3};
     subject.critical = shared_critical(substance.name, critical);
+    subject.data = substance.citation;
     subject.reflectance = [substance, space, ambient](const std::vector<double>& cos_i, double) {
         return exact_colours(substance, space, ambient, cos_i);
     };

@@ -84,6 +84,7 @@ void add_error(std::vector<std::string>& lines, const lut& table) {
                         "a float",
                         "", rounded(table.error.at_critical)));
     lines.push_back(fmt::format("{:<9} Wloka 2002, \"Fresnel Reflection\", the texture variant", "source"));
+    if (!table.subject.data.empty()) lines.push_back(fmt::format("{:<9} {}", "data", table.subject.data));
 }
 
 void add_arguments(std::vector<std::string>& lines, const lut& table) {
