@@ -94,7 +94,7 @@ void write_language(const emit::language& l, const std::vector<std::string>& wor
     std::filesystem::create_directories(folder);
     const emit::style plain = {.precise = false, .comment = false};
     const auto wrapped = [&](const std::string& text) {
-        return emit::preamble(l, "receivers_corpus", {}) + text;
+        return emit::preamble(l, "receivers_corpus", std::array{emit::model_request{"dielectric"}}) + text;
     };
     write(folder / fmt::format("names.{}", l.extension), wrapped(functions(l, words, [&](std::string word) {
               return emit::scalar_text(l, {"schlick", {}, word}, plain);

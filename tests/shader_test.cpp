@@ -106,6 +106,40 @@ TEST_F(shader, fixed_parameters_are_gone_and_folded) {
     expect_holds(text("schlick --fix f0=1,0.78,0.34"), "vec3 f0 = vec3(1.0, 0.78, 0.34);\n");
 }
 
+// In the equations above a function c is cos_i.
+TEST_F(shader, folded_constants_are_not_called_c) {
+    expect_holds(text("schlick --fix f0=1,0.75,0.25"), "vec3 one_minus_f0 = vec3(0.0, 0.25, 0.75);\n");
+    expect_holds(text("lazanyi --material gold"), "    vec3 folded = vec3(");
+    for (const char* model : {"schlick", "f82", "f82_tint", "lazanyi", "hoffman", "gulbrandsen"}) {
+        const std::string printed = text(std::string(model) + " --material gold");
+        EXPECT_EQ(printed.find(" c = vec3("), std::string::npos) << printed;
+        EXPECT_EQ(printed.find(" c_2 = vec3("), std::string::npos) << printed;
+    }
+}
+
+TEST_F(shader, every_equation_says_what_it_is_of) {
+    for (const char* model : {"f82", "hoffman", "powers_4_12", "powers_2_8_16"})
+        expect_holds(text(model), "//   F = f0 + ");
+}
+
+TEST_F(shader, the_boundary_s_type_is_printed_where_it_is_used) {
+    for (const char* language : language_names) {
+        const std::string lang = std::string(" --lang ") + language;
+        EXPECT_EQ(text("f82" + lang).find("fresnel_boundary"), std::string::npos) << language;
+        for (const char* arguments : {"dielectric", "f82 conductor", "--all"})
+            for (const char* piece : {"// reflected, polarised across and along", "// transmitted"})
+                expect_holds(text(arguments + lang), piece);
+    }
+}
+
+TEST_F(shader, long_comments_are_wrapped_and_commands_are_not) {
+    const std::string glsl = text("gulbrandsen --material gold --space acescg --name gold");
+    expect_holds(glsl, "// data    gold, fitted in linear ACEScg; P. B. Johnson and R. W. Christy.");
+    std::istringstream lines(glsl);
+    for (std::string line; std::getline(lines, line);)
+        EXPECT_TRUE(line.size() <= 120 || line.find('`') != std::string::npos) << line;
+}
+
 TEST_F(shader, material_gives_constants_with_their_source) {
     const std::string glsl = text("schlick --material gold --space acescg --name gold");
     expect_holds(glsl, "vec3 gold(float cos_i) {\n");

@@ -55,8 +55,9 @@ class Slangc(WithSlangc, Program):
         apart = super().texts()
         alone = {name: text for name, text in apart.items() if name.startswith(("model_", "sample_", "table_"))}
         self.together = len(alone) - 1
-        common = f"FRESNEL_{self.language.upper()}_COMMON"  # what each but a table's has in front
-        together = "".join(f"namespace in_{name} {{\n{text}\n}}\n" + f"#undef {common}\n" * (common in text)
+        guards = [f"FRESNEL_{self.language.upper()}_{part}" for part in ("COMMON", "BOUNDARY")]  # what stands in front
+        together = "".join(f"namespace in_{name} {{\n{text}\n}}\n" +
+                           "".join(f"#undef {guard}\n" for guard in guards if guard in text)
                            for name, text in alone.items())
         return {"model_schlick": apart["model_schlick"], "alone": together} | {
             name: text for name, text in apart.items() if name not in alone}

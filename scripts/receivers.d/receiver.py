@@ -150,8 +150,10 @@ class Broken:
 
 def broken_texts(language, text, reserved):
     """The text of schlick with each fault that a receiver must see."""
-    wrong = "var wrong: fresnel_boundary;" if language == "wgsl" else "fresnel_boundary wrong;"
-    first = text.index("return ", text.index(" schlick("))
+    head = text.rindex("\n", 0, text.index(" schlick(")) + 1
+    other = "struct other { x: f32 }\n" if language == "wgsl" else "struct other { float x; };\n"
+    wrong = {"wgsl": "var wrong: other;", "c": "struct other wrong;"}.get(language, "other wrong;")
+    first = text.index("return ", head)
     end = text.index(";", first)
     returned = text[first:end]
 
@@ -161,7 +163,8 @@ def broken_texts(language, text, reserved):
     return [Broken("a bracket that is not closed", instead(returned + ")")),
             Broken("an unknown name", instead(returned.replace("f0", "f1", 1))),
             Broken("an argument too few", instead("return incidence_cosine()")),
-            Broken("a result of another type", instead(wrong + " return wrong")),
+            Broken("a result of another type",
+                   text[:head] + other + text[head:first] + wrong + " return wrong" + text[end:]),
             Broken("an unknown function", instead("return unknown_function(f0)")),
             Broken(f"a function called {reserved}", text.replace(" schlick(", f" {reserved}("))]
 

@@ -14,13 +14,6 @@
 #ifndef FRESNEL_OSL_COMMON
 #define FRESNEL_OSL_COMMON
 
-struct fresnel_boundary {
-    float R_s;
-    float R_p;
-    float T_s;
-    float T_p;
-};
-
 // The cosine between two directions, 0 where they lie on opposite sides.
 //
 // normal    unit
@@ -28,6 +21,18 @@ struct fresnel_boundary {
 float incidence_cosine(vector normal_, vector direction) {
     return clamp(dot(normal_, direction), 0.0, 1.0);
 }
+
+#endif
+
+#ifndef FRESNEL_OSL_BOUNDARY
+#define FRESNEL_OSL_BOUNDARY
+
+struct fresnel_boundary {
+    float R_s; // reflected, polarised across and along the plane of incidence
+    float R_p;
+    float T_s; // transmitted
+    float T_p;
+};
 
 #endif
 
@@ -1256,7 +1261,7 @@ color gulbrandsen(color r, color g, vector normal_, vector direction) {
 
 // Schlick's approximation with a dip, through the reflectance at cos_i = 1/7.
 //
-//   f0 + (1 - f0) x^5 - b c x^6 through f82 at c = 1/7, x = 1 - c, c = cos_i
+//   F = f0 + (1 - f0) x^5 - b c x^6, through f82 at c = 1/7, x = 1 - c, c = cos_i
 //
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
@@ -1334,7 +1339,7 @@ color f82_tint(color f0, color tint, vector normal_, vector direction) {
 
 // Schlick's approximation with a dip, any power and any reflectance at grazing incidence.
 //
-//   f0 + (f90 - f0) x^power - b c x^6 through f82 at c = 1/7, x = 1 - c, c = cos_i
+//   F = f0 + (f90 - f0) x^power - b c x^6, through f82 at c = 1/7, x = 1 - c, c = cos_i
 //
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
@@ -1373,7 +1378,7 @@ color hoffman(color f0, color f82, color f90, color power, vector normal_, vecto
 
 // Two powers through f0 and f82.
 //
-//   f0 + x^4 (p + q x^8) through f82 at cos_i = 1/7, x = 1 - cos_i
+//   F = f0 + x^4 (p + q x^8), through f82 at cos_i = 1/7, x = 1 - cos_i
 //
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
@@ -1412,7 +1417,7 @@ color powers_4_12(color f0, color f82, vector normal_, vector direction) {
 
 // Three powers through f0 and f82.
 //
-//   f0 + c2 x^2 + c8 x^8 + c16 x^16 through f82 at cos_i = 1/7, x = 1 - cos_i
+//   F = f0 + c2 x^2 + c8 x^8 + c16 x^16, through f82 at cos_i = 1/7, x = 1 - cos_i
 //
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]

@@ -20,11 +20,6 @@ typedef struct {
     float x, y, z; // RGB, or a direction
 } fresnel_float3;
 
-typedef struct {
-    float R_s, R_p; // reflected, polarised across and along the plane of incidence
-    float T_s, T_p; // transmitted
-} fresnel_boundary;
-
 // The cosine between two directions, 0 where they lie on opposite sides.
 //
 // normal    unit
@@ -32,6 +27,16 @@ typedef struct {
 static inline float incidence_cosine(fresnel_float3 normal, fresnel_float3 direction) {
     return fminf(fmaxf(normal.x * direction.x + normal.y * direction.y + normal.z * direction.z, 0.0f), 1.0f);
 }
+
+#endif
+
+#ifndef FRESNEL_C_BOUNDARY
+#define FRESNEL_C_BOUNDARY
+
+typedef struct {
+    float R_s, R_p; // reflected, polarised across and along the plane of incidence
+    float T_s, T_p; // transmitted
+} fresnel_boundary;
 
 #endif
 
@@ -1249,7 +1254,7 @@ static inline fresnel_float3 gulbrandsen_rgb_dir(fresnel_float3 r, fresnel_float
 
 // Schlick's approximation with a dip, through the reflectance at cos_i = 1/7.
 //
-//   f0 + (1 - f0) x^5 - b c x^6 through f82 at c = 1/7, x = 1 - c, c = cos_i
+//   F = f0 + (1 - f0) x^5 - b c x^6, through f82 at c = 1/7, x = 1 - c, c = cos_i
 //
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
@@ -1321,7 +1326,7 @@ static inline fresnel_float3 f82_tint_rgb_dir(fresnel_float3 f0, fresnel_float3 
 
 // Schlick's approximation with a dip, any power and any reflectance at grazing incidence.
 //
-//   f0 + (f90 - f0) x^power - b c x^6 through f82 at c = 1/7, x = 1 - c, c = cos_i
+//   F = f0 + (f90 - f0) x^power - b c x^6, through f82 at c = 1/7, x = 1 - c, c = cos_i
 //
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
@@ -1361,7 +1366,7 @@ static inline fresnel_float3 hoffman_rgb_dir(fresnel_float3 f0, fresnel_float3 f
 
 // Two powers through f0 and f82.
 //
-//   f0 + x^4 (p + q x^8) through f82 at cos_i = 1/7, x = 1 - cos_i
+//   F = f0 + x^4 (p + q x^8), through f82 at cos_i = 1/7, x = 1 - cos_i
 //
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
@@ -1398,7 +1403,7 @@ static inline fresnel_float3 powers_4_12_rgb_dir(fresnel_float3 f0, fresnel_floa
 
 // Three powers through f0 and f82.
 //
-//   f0 + c2 x^2 + c8 x^8 + c16 x^16 through f82 at cos_i = 1/7, x = 1 - cos_i
+//   F = f0 + c2 x^2 + c8 x^8 + c16 x^16, through f82 at cos_i = 1/7, x = 1 - cos_i
 //
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]

@@ -14,11 +14,6 @@
 #ifndef FRESNEL_GLSL_COMMON
 #define FRESNEL_GLSL_COMMON
 
-struct fresnel_boundary {
-    float R_s, R_p; // reflected, polarised across and along the plane of incidence
-    float T_s, T_p; // transmitted
-};
-
 // The cosine between two directions, 0 where they lie on opposite sides.
 //
 // normal    unit
@@ -26,6 +21,16 @@ struct fresnel_boundary {
 float incidence_cosine(vec3 normal, vec3 direction) {
     return clamp(dot(normal, direction), 0.0, 1.0);
 }
+
+#endif
+
+#ifndef FRESNEL_GLSL_BOUNDARY
+#define FRESNEL_GLSL_BOUNDARY
+
+struct fresnel_boundary {
+    float R_s, R_p; // reflected, polarised across and along the plane of incidence
+    float T_s, T_p; // transmitted
+};
 
 #endif
 
@@ -1237,7 +1242,7 @@ vec3 gulbrandsen(vec3 r, vec3 g, vec3 normal, vec3 direction) {
 
 // Schlick's approximation with a dip, through the reflectance at cos_i = 1/7.
 //
-//   f0 + (1 - f0) x^5 - b c x^6 through f82 at c = 1/7, x = 1 - c, c = cos_i
+//   F = f0 + (1 - f0) x^5 - b c x^6, through f82 at c = 1/7, x = 1 - c, c = cos_i
 //
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
@@ -1315,7 +1320,7 @@ vec3 f82_tint(vec3 f0, vec3 tint, vec3 normal, vec3 direction) {
 
 // Schlick's approximation with a dip, any power and any reflectance at grazing incidence.
 //
-//   f0 + (f90 - f0) x^power - b c x^6 through f82 at c = 1/7, x = 1 - c, c = cos_i
+//   F = f0 + (f90 - f0) x^power - b c x^6, through f82 at c = 1/7, x = 1 - c, c = cos_i
 //
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
@@ -1354,7 +1359,7 @@ vec3 hoffman(vec3 f0, vec3 f82, vec3 f90, vec3 power, vec3 normal, vec3 directio
 
 // Two powers through f0 and f82.
 //
-//   f0 + x^4 (p + q x^8) through f82 at cos_i = 1/7, x = 1 - cos_i
+//   F = f0 + x^4 (p + q x^8), through f82 at cos_i = 1/7, x = 1 - cos_i
 //
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
@@ -1393,7 +1398,7 @@ vec3 powers_4_12(vec3 f0, vec3 f82, vec3 normal, vec3 direction) {
 
 // Three powers through f0 and f82.
 //
-//   f0 + c2 x^2 + c8 x^8 + c16 x^16 through f82 at cos_i = 1/7, x = 1 - cos_i
+//   F = f0 + c2 x^2 + c8 x^8 + c16 x^16, through f82 at cos_i = 1/7, x = 1 - cos_i
 //
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]

@@ -14,11 +14,6 @@
 #ifndef FRESNEL_HLSL_COMMON
 #define FRESNEL_HLSL_COMMON
 
-struct fresnel_boundary {
-    float R_s, R_p; // reflected, polarised across and along the plane of incidence
-    float T_s, T_p; // transmitted
-};
-
 // The cosine between two directions, 0 where they lie on opposite sides.
 //
 // normal    unit
@@ -26,6 +21,16 @@ struct fresnel_boundary {
 float incidence_cosine(float3 normal, float3 direction) {
     return saturate(dot(normal, direction));
 }
+
+#endif
+
+#ifndef FRESNEL_HLSL_BOUNDARY
+#define FRESNEL_HLSL_BOUNDARY
+
+struct fresnel_boundary {
+    float R_s, R_p; // reflected, polarised across and along the plane of incidence
+    float T_s, T_p; // transmitted
+};
 
 #endif
 
@@ -1242,7 +1247,7 @@ float3 gulbrandsen(float3 r, float3 g, float3 normal, float3 direction) {
 
 // Schlick's approximation with a dip, through the reflectance at cos_i = 1/7.
 //
-//   f0 + (1 - f0) x^5 - b c x^6 through f82 at c = 1/7, x = 1 - c, c = cos_i
+//   F = f0 + (1 - f0) x^5 - b c x^6, through f82 at c = 1/7, x = 1 - c, c = cos_i
 //
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
@@ -1320,7 +1325,7 @@ float3 f82_tint(float3 f0, float3 tint, float3 normal, float3 direction) {
 
 // Schlick's approximation with a dip, any power and any reflectance at grazing incidence.
 //
-//   f0 + (f90 - f0) x^power - b c x^6 through f82 at c = 1/7, x = 1 - c, c = cos_i
+//   F = f0 + (f90 - f0) x^power - b c x^6, through f82 at c = 1/7, x = 1 - c, c = cos_i
 //
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
@@ -1359,7 +1364,7 @@ float3 hoffman(float3 f0, float3 f82, float3 f90, float3 power, float3 normal, f
 
 // Two powers through f0 and f82.
 //
-//   f0 + x^4 (p + q x^8) through f82 at cos_i = 1/7, x = 1 - cos_i
+//   F = f0 + x^4 (p + q x^8), through f82 at cos_i = 1/7, x = 1 - cos_i
 //
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
@@ -1398,7 +1403,7 @@ float3 powers_4_12(float3 f0, float3 f82, float3 normal, float3 direction) {
 
 // Three powers through f0 and f82.
 //
-//   f0 + c2 x^2 + c8 x^8 + c16 x^16 through f82 at cos_i = 1/7, x = 1 - cos_i
+//   F = f0 + c2 x^2 + c8 x^8 + c16 x^16, through f82 at cos_i = 1/7, x = 1 - cos_i
 //
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]

@@ -1178,7 +1178,7 @@ vec3 gulbrandsen(vec3 r, vec3 g, vec3 normal, vec3 direction) {
     f82: /* glsl */ `
 // Schlick's approximation with a dip, through the reflectance at cos_i = 1/7.
 //
-//   f0 + (1 - f0) x^5 - b c x^6 through f82 at c = 1/7, x = 1 - c, c = cos_i
+//   F = f0 + (1 - f0) x^5 - b c x^6, through f82 at c = 1/7, x = 1 - c, c = cos_i
 //
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
@@ -1260,7 +1260,7 @@ vec3 f82_tint(vec3 f0, vec3 tint, vec3 normal, vec3 direction) {
     hoffman: /* glsl */ `
 // Schlick's approximation with a dip, any power and any reflectance at grazing incidence.
 //
-//   f0 + (f90 - f0) x^power - b c x^6 through f82 at c = 1/7, x = 1 - c, c = cos_i
+//   F = f0 + (f90 - f0) x^power - b c x^6, through f82 at c = 1/7, x = 1 - c, c = cos_i
 //
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
@@ -1301,7 +1301,7 @@ vec3 hoffman(vec3 f0, vec3 f82, vec3 f90, vec3 power, vec3 normal, vec3 directio
     powers_4_12: /* glsl */ `
 // Two powers through f0 and f82.
 //
-//   f0 + x^4 (p + q x^8) through f82 at cos_i = 1/7, x = 1 - cos_i
+//   F = f0 + x^4 (p + q x^8), through f82 at cos_i = 1/7, x = 1 - cos_i
 //
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
@@ -1342,7 +1342,7 @@ vec3 powers_4_12(vec3 f0, vec3 f82, vec3 normal, vec3 direction) {
     powers_2_8_16: /* glsl */ `
 // Three powers through f0 and f82.
 //
-//   f0 + c2 x^2 + c8 x^8 + c16 x^16 through f82 at cos_i = 1/7, x = 1 - cos_i
+//   F = f0 + c2 x^2 + c8 x^8 + c16 x^16, through f82 at cos_i = 1/7, x = 1 - cos_i
 //
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]

@@ -8,19 +8,19 @@
 // yours: the view, the light or the half vector with either.
 // Reflectance is of unpolarised light and lies in [0, 1]. RGB values are linear.
 
-struct fresnel_boundary {
-    R_s: f32,
-    R_p: f32,
-    T_s: f32,
-    T_p: f32,
-}
-
 // The cosine between two directions, 0 where they lie on opposite sides.
 //
 // normal    unit
 // direction where the light comes from, or the eye is; unit, on the side of normal
 fn incidence_cosine(normal: vec3f, direction: vec3f) -> f32 {
     return saturate(dot(normal, direction));
+}
+
+struct fresnel_boundary {
+    R_s: f32, // reflected, polarised across and along the plane of incidence
+    R_p: f32,
+    T_s: f32, // transmitted
+    T_p: f32,
 }
 
 // ---- directions, angles and indices --------------------------------------------------------------------------
@@ -1231,7 +1231,7 @@ fn gulbrandsen_rgb_dir(r: vec3f, g: vec3f, normal: vec3f, direction: vec3f) -> v
 
 // Schlick's approximation with a dip, through the reflectance at cos_i = 1/7.
 //
-//   f0 + (1 - f0) x^5 - b c x^6 through f82 at c = 1/7, x = 1 - c, c = cos_i
+//   F = f0 + (1 - f0) x^5 - b c x^6, through f82 at c = 1/7, x = 1 - c, c = cos_i
 //
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
@@ -1309,7 +1309,7 @@ fn f82_tint_rgb_dir(f0: vec3f, tint: vec3f, normal: vec3f, direction: vec3f) -> 
 
 // Schlick's approximation with a dip, any power and any reflectance at grazing incidence.
 //
-//   f0 + (f90 - f0) x^power - b c x^6 through f82 at c = 1/7, x = 1 - c, c = cos_i
+//   F = f0 + (f90 - f0) x^power - b c x^6, through f82 at c = 1/7, x = 1 - c, c = cos_i
 //
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
@@ -1349,7 +1349,7 @@ fn hoffman_rgb_dir(f0: vec3f, f82: vec3f, f90: vec3f, power: vec3f, normal: vec3
 
 // Two powers through f0 and f82.
 //
-//   f0 + x^4 (p + q x^8) through f82 at cos_i = 1/7, x = 1 - cos_i
+//   F = f0 + x^4 (p + q x^8), through f82 at cos_i = 1/7, x = 1 - cos_i
 //
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
@@ -1388,7 +1388,7 @@ fn powers_4_12_rgb_dir(f0: vec3f, f82: vec3f, normal: vec3f, direction: vec3f) -
 
 // Three powers through f0 and f82.
 //
-//   f0 + c2 x^2 + c8 x^8 + c16 x^16 through f82 at cos_i = 1/7, x = 1 - cos_i
+//   F = f0 + c2 x^2 + c8 x^8 + c16 x^16, through f82 at cos_i = 1/7, x = 1 - cos_i
 //
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]

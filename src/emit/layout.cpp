@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
+
 namespace fresnel::emit {
 
 namespace {
@@ -36,10 +38,34 @@ std::string wrapped(std::string line) {
 
 } // namespace
 
+namespace {
+
+// Where what a line says begins: behind the word in front of it, "data    gold", or behind its indentation.
+std::size_t text_column(std::string_view line) {
+    const std::size_t word = line.find_first_not_of(' ');
+    const std::size_t gap = line.find("  ", word);
+    return gap > 12 ? word : line.find_first_not_of(' ', gap);
+}
+
+// A long line on several, below each other. A command stays on one, to be copied.
+std::string comment(std::string line) {
+    constexpr std::size_t longest = 120 - std::string_view("// ").size();
+    std::string text;
+    while (line.size() > longest && line.find('`') == std::string::npos) {
+        const std::size_t column = text_column(line), at = line.rfind(' ', longest);
+        if (at == std::string::npos || at < column) break;
+        text += fmt::format("// {}\n", line.substr(0, at));
+        line = std::string(column, ' ') + line.substr(at + 1);
+    }
+    return text + (line.empty() ? "//\n" : fmt::format("// {}\n", line));
+}
+
+} // namespace
+
 std::string comment_block(const std::vector<std::string>& lines) {
     std::string text;
     for (const std::string& line : lines)
-        text += line.empty() ? "//\n" : fmt::format("// {}\n", line);
+        text += comment(line);
     return text;
 }
 
@@ -53,6 +79,12 @@ std::string wrapped_lines(const std::string& text) {
         from = end + 1;
     }
     return result;
+}
+
+std::string guarded(std::string name, const std::string& text) {
+    for (char& c : name)
+        c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return fmt::format("#ifndef {0}\n#define {0}\n\n{1}\n#endif\n", name, text);
 }
 
 } // namespace fresnel::emit

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace fresnel::emit {
 
 namespace {
@@ -105,35 +107,10 @@ std::string rgb_text(const language& l, const model_request& wanted, const style
     return "\n" + text + "\n" + by_directions(l, rgb);
 }
 
-std::vector<std::string> helper_types(const language& l) {
-    if (l.id == "wgsl")
-        return {"struct fresnel_boundary {",
-                "    R_s: f32,",
-                "    R_p: f32,",
-                "    T_s: f32,",
-                "    T_p: f32,",
-                "}"};
-    std::vector<std::string> lines = {
-        "struct fresnel_boundary {",
-        "    float R_s, R_p; // reflected, polarised across and along the plane of incidence",
-        "    float T_s, T_p; // transmitted", "};"};
-    if (l.id == "osl")
-        lines = {"struct fresnel_boundary {",
-                 "    float R_s;",
-                 "    float R_p;",
-                 "    float T_s;",
-                 "    float T_p;",
-                 "};"};
-    if (l.id == "c")
-        lines = {"typedef struct {",
-                 "    float x, y, z; // RGB, or a direction",
-                 "} fresnel_float3;",
-                 "",
-                 "typedef struct {",
-                 "    float R_s, R_p; // reflected, polarised across and along the plane of incidence",
-                 "    float T_s, T_p; // transmitted",
-                 "} fresnel_boundary;"};
-    return lines;
+// The type of three numbers, in a language that has none.
+std::string triple_type(const language& l) {
+    if (l.id != "c") return {};
+    return "typedef struct {\n    float x, y, z; // RGB, or a direction\n} fresnel_float3;\n\n";
 }
 
 // The type of two numbers and what makes one, in a language that has none.
@@ -149,15 +126,9 @@ std::string pair_type(const language& l) {
 
 // ---- what a file opens and closes with --------------------------------------------------------------------
 
-// Whether a language has a preprocessor, which keeps a text from being read twice.
-bool has_guards(const language& l) { return l.id != "wgsl"; }
-
-std::string guarded(const language& l, std::string_view part, const std::string& text) {
-    if (!has_guards(l)) return text;
-    std::string name = fmt::format("FRESNEL_{}{}", l.id, part);
-    for (char& c : name)
-        c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    return fmt::format("#ifndef {0}\n#define {0}\n\n{1}\n#endif\n", name, text);
+// A text that is read once in a file, where the language has a preprocessor.
+std::string once(const language& l, std::string_view part, const std::string& text) {
+    return l.id != "wgsl" ? guarded(fmt::format("FRESNEL_{}{}", l.id, part), text) : text;
 }
 
 // What the language itself must have before a function of ours.
@@ -189,10 +160,19 @@ std::string rule(std::string_view title) {
 } // namespace
 
 std::string boundary_type(const language& l) {
-    std::string types;
-    for (const std::string& line : helper_types(l))
-        types += line + "\n";
-    return types;
+    constexpr std::string_view reflected = "// reflected, polarised across and along the plane of incidence";
+    if (l.id == "wgsl")
+        return fmt::format("struct fresnel_boundary {{\n    R_s: f32, {}\n    R_p: f32,\n"
+                           "    T_s: f32, // transmitted\n    T_p: f32,\n}}\n",
+                           reflected);
+    if (l.id == "osl") // one name in a declaration
+        return fmt::format("struct fresnel_boundary {{\n    float R_s; {}\n    float R_p;\n"
+                           "    float T_s; // transmitted\n    float T_p;\n}};\n",
+                           reflected);
+    const bool c = l.id == "c";
+    return fmt::format("{} {{\n    float R_s, R_p; {}\n    float T_s, T_p; // transmitted\n}}{};\n",
+                       c ? "typedef struct" : "struct fresnel_boundary", reflected,
+                       c ? " fresnel_boundary" : "");
 }
 
 namespace {
@@ -212,19 +192,29 @@ std::string head(const language& l, std::string_view made_by) {
     return comment_block(lines) + "\n";
 }
 
-// Types, and the cosine of two directions: once in a file, however many functions are pasted into it.
+// The cosine of two directions and what it needs: once in a file, however many functions are pasted into it.
 std::string common(const language& l) {
-    return guarded(l, "_common", opening(l) + boundary_type(l) + "\n" + print(l, cosine_function()));
+    return once(l, "_common", opening(l) + triple_type(l) + print(l, cosine_function()));
 }
+
+// Whether the text of a model has a function of R_s, R_p, T_s and T_p.
+bool has_boundary(const model_request& wanted) {
+    return find_model<double>(wanted.model).kind == model_kind::exact &&
+           record(wanted.model, {1, false, wanted.fixed}).width() == 1;
+}
+
+// Its type, once in a file too.
+std::string guarded_boundary_type(const language& l) { return "\n" + once(l, "_boundary", boundary_type(l)); }
 
 } // namespace
 
 std::string preamble(const language& l, std::string_view made_by, std::span<const model_request> models,
                      const style& how) {
     std::string text = head(l, made_by) + common(l);
+    if (std::any_of(models.begin(), models.end(), has_boundary)) text += guarded_boundary_type(l);
     for (const model_request& model : models)
         if (const std::string twofold = twofold_text_for(l, model, how); !twofold.empty())
-            return text + "\n" + guarded(l, "_twofold", twofold);
+            return text + "\n" + once(l, "_twofold", twofold);
     return text;
 }
 
@@ -265,8 +255,7 @@ std::string unwrapped_model_text(const language& l, const model_request& wanted,
     std::string text;
     if (scalar.width() == 1) {
         text = print(l, scalar, how) + "\n" + by_directions(l, scalar) + rgb_text(l, wanted, how);
-        if (find_model<double>(wanted.model).kind == model_kind::exact)
-            text += "\n" + boundary_text(l, wanted, how);
+        if (has_boundary(wanted)) text += "\n" + boundary_text(l, wanted, how);
         return text;
     }
     // parameters that are fixed to colours: there is no scalar function
@@ -304,7 +293,7 @@ sole_function sole_text(const language& l, const model_request& wanted, int widt
 }
 
 std::string library_text(const language& l) {
-    std::string text = common(l) + "\n" + rule("directions, angles and indices");
+    std::string text = common(l) + guarded_boundary_type(l) + "\n" + rule("directions, angles and indices");
     std::vector<function> geometry = record_geometry();
     for (std::size_t i = 1; i < geometry.size(); ++i)
         text += wrapped_lines(print(l, geometry[i])) + "\n";
@@ -322,7 +311,7 @@ std::string library_text(const language& l) {
         text += model_text(l, {std::string(row.name)}) + "\n";
     }
     text.pop_back();
-    return head(l, fmt::format("fresnel shader --all --lang {}", l.id)) + guarded(l, "", text);
+    return head(l, fmt::format("fresnel shader --all --lang {}", l.id)) + once(l, "", text);
 }
 
 } // namespace fresnel::emit

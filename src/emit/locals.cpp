@@ -193,9 +193,28 @@ std::string locals::beside_one(std::uint32_t node, operation op) const {
     return first ? "one_minus_" + other : other + "_minus_1";
 }
 
+// A constant that is 1 - f0 or the like of a constant with a name, which folding has hidden; otherwise folded, a word
+// that no equation uses.
+std::string locals::constant_name(std::uint32_t node) const {
+    for (const std::uint32_t other : order_) {
+        if (named(other) == 0 || at(other).op != operation::constant) continue;
+        const auto is = [&](operation op, bool one_first) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                const float x = at(other).value[c];
+                if (at(node).value[c] != (one_first ? fold(op, 1, x) : fold(op, x, 1))) return false;
+            }
+            return true;
+        };
+        if (is(operation::subtract, true)) return "one_minus_" + names_[other];
+        if (is(operation::subtract, false)) return names_[other] + "_minus_1";
+        if (is(operation::add, false)) return names_[other] + "_plus_1";
+    }
+    return "folded";
+}
+
 // What a product of one quantity with itself is called, m2 or m5, and a sum with 1; otherwise t.
 std::string locals::found_name(std::uint32_t node) const {
-    if (at(node).op == operation::constant) return "c";
+    if (at(node).op == operation::constant) return constant_name(node);
     for (const operation op : {operation::add, operation::subtract})
         if (const std::string name = beside_one(node, op); !name.empty()) return name;
     const auto power = power_of(node);

@@ -47,6 +47,7 @@ private:
     std::string input_name(std::string_view name) const;
     std::optional<std::pair<std::uint32_t, int>> power_of(std::uint32_t node) const;
     std::string beside_one(std::uint32_t node, operation op) const;
+    std::string constant_name(std::uint32_t node) const;
     std::string found_name(std::uint32_t node) const;
 
     const language& l_;

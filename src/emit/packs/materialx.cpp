@@ -219,14 +219,6 @@ std::string entry_of(const target& t, const node& n) {
     return entry_text(t, n, body);
 }
 
-// A shader may use a node for numbers and for colours, and then holds the file twice.
-std::string guarded(std::string_view name, const std::string& text) {
-    std::string guard(name);
-    for (char& c : guard)
-        c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    return fmt::format("#ifndef {0}\n#define {0}\n\n{1}\n#endif\n", guard, text);
-}
-
 std::string source_path(const target& t, std::string_view file) {
     return fmt::format("{}{}/{}.{}", root, t.id, file, t.l.extension);
 }
@@ -243,6 +235,7 @@ void add_model_sources(const target& t, const model_row<double>& row, std::vecto
     if (const std::string channels = channels_text(t.l, request); !channels.empty()) text += "\n" + channels;
     for (const node& n : nodes)
         if (n.outputs.size() == 1) text += "\n" + entry_of(t, n);
+    // a shader may use a node for numbers and for colours, and then holds the file twice
     files.push_back({source_path(t, "mx_" + name), twofold + guarded(name, text)});
     for (const node& n : nodes)
         if (n.outputs.size() > 1)

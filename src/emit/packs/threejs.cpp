@@ -71,12 +71,10 @@ std::string glsl_module() {
     text += "import { Color, ShaderChunk, ShaderMaterial, Vector3 } from 'three';\n\n";
     text += fmt::format("export const VERSION = '{}';\n\n", FRESNEL_VERSION);
     text += parameter_lists() + metals();
-    text += "// What every function of a model needs.\nconst types = " +
-            js_string(
-                "struct fresnel_boundary {\n    float R_s, R_p; // reflected, polarised across and along the "
-                "plane of incidence\n    float T_s, T_p; // transmitted\n};\n\n" +
-                print(l, record_geometry().front()) + "\n" + twofold_text(l)) +
-            ";\n\n";
+    text +=
+        "// What every function of a model needs.\nconst types = " +
+        js_string(boundary_type(l) + "\n" + print(l, record_geometry().front()) + "\n" + twofold_text(l)) +
+        ";\n\n";
     text += "/// The functions of each model. GLSL has overloads: a parameter is a float or a vec3, two "
             "directions may stand in\n/// place of cos_i.\nexport const functions = {\n";
     for (const model_row<double>& row : model_table<double>())

@@ -3,7 +3,7 @@
 
 // Schlick's approximation with a dip, any power and any reflectance at grazing incidence.
 //
-//   f0 + (f90 - f0) x^power - b c x^6 through f82 at c = 1/7, x = 1 - c, c = cos_i
+//   F = f0 + (f90 - f0) x^power - b c x^6, through f82 at c = 1/7, x = 1 - c, c = cos_i
 //
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
