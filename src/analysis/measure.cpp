@@ -111,6 +111,13 @@ double vertex_interpolation_error(const curve_function& f, int sides) {
     return worst;
 }
 
+double channel_spread(const material& substance) {
+    double worst = 0;
+    for (const rgb& v : exact_curve(substance, color_space::srgb, 1, 1).value)
+        worst = std::max(worst, std::max({v[0], v[1], v[2]}) - std::min({v[0], v[1], v[2]}));
+    return worst;
+}
+
 const std::vector<metal_sample>& metal_samples() {
     static const std::vector<metal_sample> all = [] {
         std::vector<metal_sample> samples;

@@ -60,6 +60,9 @@ extremum table_error(const curve_function& f, int size, int bits);
 /// interpolated normal, the worst over all facets that face the viewer.
 double vertex_interpolation_error(const curve_function& f, int sides);
 
+/// How far R, G and B of a material lie apart at most, over all angles, in linear sRGB and air.
+double channel_spread(const material& substance);
+
 /// One metal at one wavelength.
 struct metal_sample {
     std::string_view name;

@@ -84,9 +84,7 @@ finding mostly_monotonic() {
 }
 
 finding glass_coincides() {
-    double worst = 0;
-    for (const rgb& v : exact_curve(*find_material("n-bk7"), color_space::srgb, 1, 1).value)
-        worst = std::max(worst, std::max({v[0], v[1], v[2]}) - std::min({v[0], v[1], v[2]}));
+    const double worst = channel_spread(*find_material("n-bk7"));
     return {judgement::holds,
             fmt::format("R, G and B of crown glass differ by at most {:.4f}", worst),
             "N-BK7",

@@ -92,16 +92,9 @@ finding schlick_below_polarisation() {
             {{"from", from}, {"everywhere_from", everywhere}}};
 }
 
-double largest_spread(const char* name) {
-    double worst = 0;
-    for (const rgb& v : exact_curve(*find_material(name), color_space::srgb, 1, 1).value)
-        worst = std::max(worst, std::max({v[0], v[1], v[2]}) - std::min({v[0], v[1], v[2]}));
-    return worst;
-}
-
 finding wavelength_is_small() {
-    const double w = largest_spread("water"), g = largest_spread("n-bk7"), d = largest_spread("diamond"),
-                 c = largest_spread("copper");
+    const double w = channel_spread(*find_material("water")), g = channel_spread(*find_material("n-bk7")),
+                 d = channel_spread(*find_material("diamond")), c = channel_spread(*find_material("copper"));
     return {judgement::holds_within,
             fmt::format(
                 "R, G and B differ by at most {:.4f} for water, {:.4f} for crown glass, {:.4f} for diamond, "
