@@ -184,6 +184,12 @@ TEST(geometry, both_indices_of_an_f0_give_it_back) {
     }
 }
 
+TEST(geometry, the_k_of_an_f0_gives_it_back) {
+    for (const double n : {0.05, 0.5, 1.0, 2.0, 3.0})
+        for (const double k : {0.1, 1.0, 5.0, 20.0})
+            EXPECT_NEAR(k_from_f0(normal_reflectance(1.0, n, k), n), k, 1e-11 * k) << n << " " << k;
+}
+
 TEST(geometry, internal_reflection_needs_f0_alone) {
     for (const double n : {1.1, 1.333, 1.5, 2.417})
         for (double c = 0; c <= 1; c += 0.05) {
@@ -200,6 +206,7 @@ TEST(geometry, is_of_models_too_and_instantiates_with_strict) {
     EXPECT_EQ(pseudo_brewster_cosine(one, eta, k).value(), pseudo_brewster_cosine(1.0, 1.5, 5.0));
     EXPECT_EQ(critical_cosine(half).value(), critical_cosine(0.5));
     EXPECT_EQ(inner_eta_from_f0(half).value(), inner_eta_from_f0(0.5));
+    EXPECT_EQ(k_from_f0(half, eta).value(), k_from_f0(0.5, 1.5));
     EXPECT_EQ(internal_reflection(half, half).R_p.value(), internal_reflection(0.5, 0.5).R_p);
     EXPECT_EQ(complex_refracted_cosine(one, eta, k, half).im.value(),
               complex_refracted_cosine(1.0, 1.5, 5.0, 0.5).im);

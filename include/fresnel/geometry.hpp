@@ -180,7 +180,19 @@ T normal_reflectance(T n_i, T n_t, T k_t) {
     return (square(n_t - n_i) + k_t * k_t) / (square(n_t + n_i) + k_t * k_t);
 }
 
-/// The same between two transparent media.
+/// The k of a metal in air whose reflectance at normal incidence and n are known.
+///
+///   k = sqrt(((n + 1)^2 f0 - (n - 1)^2) / (1 - f0))
+///
+/// f0       reflectance at normal incidence   [0, 1), at least that of k = 0, ((n - 1) / (n + 1))^2
+/// n        index                             > 0
+/// source   the f0 above, solved for k
+template <class T>
+T k_from_f0(T f0, T n) {
+    return sqrt((square(n + 1) * f0 - square(n - 1)) / (1 - f0));
+}
+
+/// Reflectance at normal incidence between two transparent media.
 ///
 ///   f0 = ((eta - 1) / (eta + 1))^2
 ///

@@ -144,7 +144,7 @@ finding index_from_color() {
 }
 
 finding nk_not_recoverable() {
-    const auto k_of = [](double n) { return std::sqrt((square(n + 1) * 0.56 - square(n - 1)) / (1 - 0.56)); };
+    const auto k_of = [](double n) { return k_from_f0(0.56, n); };
     const auto edge = [&](double n) { return exact_conductor(n, k_of(n))(ratio<double, 1, 7>()); };
     return {
         judgement::holds,
