@@ -82,10 +82,10 @@ std::string number(const rgb& f0) {
 
 warning below_water(const identification& of) {
     if (reaches(of.luminance, water) || of.ambient != 1) return {};
-    return fmt::format("F0 {} is below 0.02, the F0 of water: in air only ice and coatings come so low, and "
-                       "some engines read it as occlusion; use 0.02 or more, or give --ambient for a surface "
+    return fmt::format("F0 {0} is below {1}, the F0 of water: in air only ice and coatings come so low, and "
+                       "some engines read it as occlusion; use {1} or more, or give --ambient for a surface "
                        "under a liquid.",
-                       number(of.f0));
+                       number(of.f0), water);
 }
 
 bool in_empty_band(const identification& of) {
@@ -94,10 +94,11 @@ bool in_empty_band(const identification& of) {
 
 warning between_dielectrics_and_metals(const identification& of) {
     if (!in_empty_band(of)) return {};
-    return fmt::format("F0 {} lies between 0.2 and 0.45, where there are only semiconductors and a few rare "
-                       "crystals and dark metals: often it is a texel that mixes metal and dielectric; use "
-                       "0.02 to 0.08 for a dielectric, more than 0.45 for a metal.",
-                       number(of.f0));
+    return fmt::format(
+        "F0 {0} lies between {3} and {4}, where there are only semiconductors and a few rare crystals and "
+        "dark metals: often it is a texel that mixes metal and dielectric; use {1} to {2} for a dielectric, "
+        "more than {4} for a metal.",
+        number(of.f0), water, most_gems, diamonds, metals);
 }
 
 warning coloured_dielectric(const identification& of) {
@@ -140,9 +141,9 @@ warning outside_gamut(const identification& of) {
     if (of.space == color_space::xyz || in_gamut(of.f0)) return {};
     const double highest = *std::max_element(of.f0.begin(), of.f0.end());
     if (highest > brightest_channel)
-        return fmt::format("F0 {} exceeds 1.1, which no measured metal reaches: a surface reflects at most "
+        return fmt::format("F0 {} exceeds {}, which no measured metal reaches: a surface reflects at most "
                            "what it receives; divide the colour by {:.4g}.",
-                           number(of.f0), highest);
+                           number(of.f0), brightest_channel, highest);
     return fmt::format("F0 {} lies outside [0, 1], which a saturated metal may (gold's red is 1.04 in linear "
                        "sRGB): clamp it where the renderer needs to, or use --space acescg.",
                        number(of.f0));
