@@ -36,11 +36,15 @@ struct index_spectrum {
 
 } // namespace
 
+double radians(double degrees) { return degrees * std::numbers::pi / 180; }
+
+double degrees(double radians) { return radians * 180 / std::numbers::pi; }
+
 double cosine_of_degrees(double theta_deg) {
-    return theta_deg == 90 ? 0 : theta_deg == 60 ? 0.5 : std::cos(theta_deg * std::numbers::pi / 180);
+    return theta_deg == 90 ? 0 : theta_deg == 60 ? 0.5 : std::cos(radians(theta_deg));
 }
 
-double degrees_of_cosine(double cos_i) { return std::acos(cos_i) * 180 / std::numbers::pi; }
+double degrees_of_cosine(double cos_i) { return degrees(std::acos(cos_i)); }
 
 spectral_surface exact_surface(const material& substance, double ambient, std::vector<double> wavelength_nm,
                                std::vector<double> theta_deg, polarization which) {

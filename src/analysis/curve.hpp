@@ -11,6 +11,9 @@
 
 namespace fresnel {
 
+double radians(double degrees);
+double degrees(double radians);
+
 /// cos of an angle in degrees, exact at 0, 60 and 90.
 double cosine_of_degrees(double theta_deg);
 double degrees_of_cosine(double cos_i);

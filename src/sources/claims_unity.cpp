@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 // The claims of the two Unity texts: the chapter on highlights and the article on Fresnel shading.
 
@@ -36,7 +35,7 @@ finding white_at_grazing() {
 
 finding opposite_at_grazing() {
     // the half vector is orthogonal to the view where the two directions are opposite: |v + l| = 2 cos
-    const double angle = 179.9 * std::numbers::pi / 180, cos_h = std::cos(angle / 2);
+    const double angle = radians(179.9), cos_h = std::cos(angle / 2);
     return {
         judgement::holds,
         fmt::format("H·V is the cosine of half the angle between light and view: {:.4f} at 179.9°, 0 at 180°",
@@ -194,11 +193,11 @@ finding control_costs_correctness() {
 finding normal_by_model_matrix() {
     // a normal at 45 degrees under a scale of (1, 2, 1): the model matrix gives (1, 2), the inverse transpose (1, 1/2)
     const double wrong = std::atan2(2.0, 1.0), right = std::atan2(0.5, 1.0);
-    const double degrees = (wrong - right) * 180 / std::numbers::pi;
+    const double off = degrees(wrong - right);
     return {judgement::fails,
-            fmt::format("with a scale of 2 along one axis a normal at 45° is off by {:.1f}°", degrees),
+            fmt::format("with a scale of 2 along one axis a normal at 45° is off by {:.1f}°", off),
             "right for rotations and uniform scales",
-            {{"degrees", degrees}}};
+            {{"degrees", off}}};
 }
 
 finding window_is_a_mirror() {

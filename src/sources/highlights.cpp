@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
-
 namespace fresnel {
 
 namespace {
@@ -60,10 +58,10 @@ regenerated highlight_weight() {
         curve("F, specular color 1", [](double c) { return schlick(1.0, c); }, orange, stroke::dashed)};
 
     // light and eye in one plane on either side of the normal, the eye in the mirror direction but 10 degrees
-    const double off = 10 * std::numbers::pi / 180, shininess = 10;
+    const double off = radians(10), shininess = 10;
     const auto lobe = [=](double f0) {
         return [=](double theta_l) {
-            const double t = theta_l * std::numbers::pi / 180;
+            const double t = radians(theta_l);
             return fresnel_highlight(f0, std::cos(t - off / 2), std::cos(off), shininess, std::cos(t));
         };
     };

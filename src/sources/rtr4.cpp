@@ -14,8 +14,6 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
-
 namespace fresnel {
 
 namespace {
@@ -115,17 +113,17 @@ regenerated figure_9_21() {
     p.diagram = true;
     series circle{"", {}, {}, gray, stroke::solid, 2};
     for (int i = 0; i <= 180; ++i) {
-        const double a = (i - 90) * std::numbers::pi / 180;
+        const double a = radians(i - 90);
         circle.x.push_back(std::sin(a)), circle.y.push_back(std::cos(a));
     }
     p.curves.push_back(circle);
     p.curves.push_back(line(-1.25, -0.35, 1.25, -0.35, gray, 1.2));
     for (int i = 0; i <= 6; ++i) {
-        const double a = 15 * i * std::numbers::pi / 180, x = std::sin(a), y = std::cos(a);
+        const double a = radians(15 * i), x = std::sin(a), y = std::cos(a);
         const std::string color = ramp(static_cast<std::size_t>(i), 7);
         p.curves.push_back(line(x, y, x, -0.35, color, 1.4, stroke::dashed));
         p.curves.push_back(line(x, y, 1.22 * x, 1.22 * y, color, 2));
-        if (i > 0) p.curves.push_back(line(std::sin(a - std::numbers::pi / 12), -0.35, x, -0.35, color, 5));
+        if (i > 0) p.curves.push_back(line(std::sin(a - radians(15)), -0.35, x, -0.35, color, 5));
         p.notes.push_back({1.31 * x + 0.02, 1.29 * y, fmt::format("{}°", 15 * i), note::side::left, color});
         if (i % 2 == 0 && i != 4)
             p.notes.push_back({x, -0.48, fmt::format("{:.2f}", x), note::side::center, color});
@@ -141,8 +139,7 @@ regenerated figure_9_21() {
             "the axis that shows each part as large as it is seen.",
             fmt::format(
                 "On a ball, the part beyond 75° is {:.1f} % of the disk's width and {:.1f} % of its area.",
-                100 * (1 - std::sin(75 * std::numbers::pi / 180)),
-                100 * square(std::cos(75 * std::numbers::pi / 180))),
+                100 * (1 - std::sin(radians(75))), 100 * square(std::cos(radians(75)))),
             "steps of 15°"};
 }
 
@@ -197,7 +194,7 @@ regenerated figure_9_24() {
             "Both begin at {:.4f}; θ_c = {:.4f}° from the indices and {:.4f}° from F0; the averages are "
             "{:.4f} and {:.4f}.",
             normal_reflectance(1.0, glass_index, 0.0), critical,
-            std::asin(sin_critical(normal_reflectance(1.0, glass_index, 0.0))) * 180 / std::numbers::pi,
+            degrees(std::asin(sin_critical(normal_reflectance(1.0, glass_index, 0.0)))),
             hemispherical_average(1, glass_index, 0), hemispherical_average(glass_index, 1, 0)),
         "n = 1.5; the book names none"};
 }

@@ -10,8 +10,6 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
-
 namespace fresnel {
 
 namespace {
@@ -38,7 +36,7 @@ series arc(double radius, double from, double to, const std::string& color) {
 }
 
 regenerated figure_1() {
-    const double theta = 50 * std::numbers::pi / 180;
+    const double theta = radians(50);
     const vector3<double> n{0, 1, 0}, l{-std::sin(theta), std::cos(theta), 0};
     const vector3<double> r = reflect(l, n), t = refract(l, n, crown_glass);
 
@@ -52,7 +50,7 @@ regenerated figure_1() {
     p.curves.push_back(arc(0.35, -theta, 0, gray));
     p.curves.push_back(arc(0.42, 0, theta, gray));
     const double theta_t = std::acos(refracted_cosine(crown_glass, l.y));
-    p.curves.push_back(arc(0.38, std::numbers::pi - theta_t, std::numbers::pi, gray));
+    p.curves.push_back(arc(0.38, radians(180) - theta_t, radians(180), gray));
     p.notes = {{-1.35, 0.12, "material i, index n_i"},
                {-1.35, -0.12, "material t, index n_t > n_i"},
                {l.x - 0.06, l.y + 0.04, "light", note::side::right, blue},
@@ -66,7 +64,7 @@ regenerated figure_1() {
             "Light in the material i meets the denser material t; θ runs from 0, along the normal, to 90°.",
             fmt::format("Drawn by reflect and refract at θ = 50° from air into crown glass: θ_t = {:.2f}°, "
                         "R = {:.4f}, T = {:.4f}.",
-                        theta_t * 180 / std::numbers::pi, dielectric(1.0, crown_glass, l.y).reflectance(),
+                        degrees(theta_t), dielectric(1.0, crown_glass, l.y).reflectance(),
                         dielectric(1.0, crown_glass, l.y).transmittance()),
             "θ = 50°, n_t / n_i = 1.52"};
 }
