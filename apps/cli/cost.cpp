@@ -4,14 +4,13 @@
 #include "emit/cost.hpp"
 #include "emit/technique.hpp"
 #include "error.hpp"
+#include "files.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <sstream>
 #include <unistd.h>
 
 namespace fresnel::cli {
@@ -134,11 +133,9 @@ std::vector<cost_row> recorded_rows(const options& given) {
 }
 
 std::string text_of_file(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    if (!file || text.str().empty()) throw bad_input(fmt::format("--program '{}': cannot be read", path));
-    return text.str();
+    const auto text = file_content(path);
+    if (!text || text->empty()) throw bad_input(fmt::format("--program '{}': cannot be read", path));
+    return *text;
 }
 
 std::vector<cost_row> program_rows(const options& given) {

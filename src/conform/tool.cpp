@@ -7,35 +7,15 @@
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
-#include <fstream>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 namespace fresnel::conform {
 
-namespace {
-
-std::filesystem::path make_folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "fresnel-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw failure(fmt::format("{}: cannot be made", name));
-    return name;
-}
-
-} // namespace
-
-scratch_folder::scratch_folder() : path(make_folder()) {}
-
-scratch_folder::~scratch_folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path, ignored);
-}
-
 std::string read_file(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::string text((std::istreambuf_iterator<char>(file)), {});
-    if (!file) throw failure(fmt::format("{}: cannot be read", path.string()));
-    return text;
+    if (const auto content = file_content(path)) return *content;
+    throw failure(fmt::format("{}: cannot be read", path.string()));
 }
 
 tool_end run_tool(const std::vector<std::string>& line) {

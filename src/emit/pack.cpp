@@ -4,26 +4,18 @@
 #include "emit/packs/templates.hpp"
 #include "error.hpp"
 #include "figure/figure.hpp"
+#include "files.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <set>
-#include <sstream>
 
 namespace fresnel::emit {
 
 namespace {
-
-std::string read(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
 
 /// What a reader of shaders/README.md looks for, and the folder that has it.
 struct index_row {
@@ -97,7 +89,7 @@ std::vector<std::string> check_packs(const std::string& folder) {
         known.insert(file.path);
         if (!std::filesystem::exists(path))
             differences.push_back(file.path + " is missing");
-        else if (read(path) != file.text)
+        else if (file_content(path) != file.text)
             differences.push_back(file.path + " differs");
     }
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {

@@ -3,6 +3,7 @@
 #include "emit/library.hpp"
 #include "error.hpp"
 #include "figure/figure.hpp"
+#include "files.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -11,7 +12,6 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <set>
 
 namespace fresnel::emit {
@@ -248,11 +248,10 @@ std::string bytes_of(std::span<const float> values) {
 }
 
 std::vector<float> read_floats(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    const std::string bytes((std::istreambuf_iterator<char>(file)), {});
-    if (!file) throw bad_input(fmt::format("{}: cannot be read", path.string()));
-    std::vector<float> values(bytes.size() / sizeof(float));
-    std::memcpy(values.data(), bytes.data(), values.size() * sizeof(float));
+    const auto bytes = file_content(path);
+    if (!bytes) throw bad_input(fmt::format("{}: cannot be read", path.string()));
+    std::vector<float> values(bytes->size() / sizeof(float));
+    std::memcpy(values.data(), bytes->data(), values.size() * sizeof(float));
     return values;
 }
 

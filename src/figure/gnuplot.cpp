@@ -1,6 +1,7 @@
 #include "figure/figure.hpp"
 
 #include "error.hpp"
+#include "files.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +10,6 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
@@ -374,13 +374,6 @@ std::string terminal(format f, double height) {
                        height / 100);
 }
 
-std::string read_file(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
     for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
         text.replace(at, from.size(), to);
@@ -436,27 +429,10 @@ std::string run_gnuplot(const std::filesystem::path& script_path, const std::fil
     if (error != 0) throw failure(fmt::format("gnuplot: cannot be started: {}", std::strerror(error)));
     int status = 0;
     waitpid(child, &status, 0);
-    const std::string said = read_file(log_path);
+    const std::string said = file_content(log_path).value_or("");
     if (status != 0) throw failure(fmt::format("gnuplot: failed: {}", said.substr(0, said.find('\n'))));
     return said;
 }
-
-// A folder that disappears with its content.
-struct scratch_folder {
-    std::filesystem::path path;
-
-    scratch_folder() {
-        std::string name = (std::filesystem::temp_directory_path() / "fresnel-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw failure(fmt::format("{}: cannot be made", name));
-        path = name;
-    }
-    ~scratch_folder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path, ignored);
-    }
-    scratch_folder(const scratch_folder&) = delete;
-    scratch_folder& operator=(const scratch_folder&) = delete;
-};
 
 } // namespace
 
@@ -478,7 +454,7 @@ void write_figures(const std::vector<figure>& figures, const std::string& dir,
     for (const figure& f : figures)
         for (const format kind : formats) {
             const std::string name = f.id + "." + std::string(ending(kind));
-            std::string text = read_file(scratch.path / name);
+            std::string text = file_content(scratch.path / name).value_or("");
             if (text.empty()) throw failure(fmt::format("gnuplot: made no {}", name));
             write_file((std::filesystem::path(dir) / name).string(),
                        kind == format::svg ? themed(std::move(text), f) : text);
@@ -488,11 +464,11 @@ void write_figures(const std::vector<figure>& figures, const std::string& dir,
 std::string drawn(const figure& what, format kind) {
     const scratch_folder scratch;
     write_figures({what}, scratch.path.string(), {kind});
-    return read_file(scratch.path / (what.id + "." + std::string(ending(kind))));
+    return file_content(scratch.path / (what.id + "." + std::string(ending(kind)))).value_or("");
 }
 
 std::string inline_svg(const figure& what, const std::string& dir) {
-    std::string svg = read_file(std::filesystem::path(dir) / (what.id + ".svg"));
+    const std::string svg = file_content(std::filesystem::path(dir) / (what.id + ".svg")).value_or("");
     const std::size_t begin = svg.find("<svg "), style = svg.find("<style>"), end = svg.find("</style>");
     if (begin == std::string::npos || style == std::string::npos)
         throw failure(fmt::format("{}/{}.svg: cannot be read", dir, what.id));

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "error.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <string>
+
+namespace fresnel {
+
+/// A folder for what is needed for a while: it disappears with its content.
+class scratch_folder {
+public:
+    scratch_folder() : path(made()) {}
+    ~scratch_folder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path, ignored);
+    }
+    scratch_folder(const scratch_folder&) = delete;
+    scratch_folder& operator=(const scratch_folder&) = delete;
+
+    const std::filesystem::path path;
+
+private:
+    static std::filesystem::path made() {
+        std::string name = (std::filesystem::temp_directory_path() / "fresnel-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr) throw failure(name + ": cannot be made");
+        return name;
+    }
+};
+
+/// All bytes of a file, nothing if it cannot be read. Tables of the user's are read by materials/table.hpp, which
+/// limits their size.
+inline std::optional<std::string> file_content(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) return std::nullopt; // a stream opens it, then throws
+    std::ifstream file(path, std::ios::binary);
+    std::string content((std::istreambuf_iterator<char>(file)), {});
+    if (!file) return std::nullopt;
+    return content;
+}
+
+} // namespace fresnel
