@@ -167,6 +167,7 @@ TEST_F(command, f0_marks_gold_outside_srgb_and_limits_it_when_asked) {
 TEST_F(command, f0_reads_a_users_own_table) {
     write("mine.csv", "wavelength_nm,n,k\n400,1.5,0\n700,1.5,0\n");
     EXPECT_NEAR(json("f0 mine.csv --json")["f0"][1].get<double>(), 0.04, 1e-12);
+    EXPECT_EQ(run("f0 mine.csv").out.rfind("mine.csv  (your table)\n", 0), 0u) << run("f0 mine.csv").out;
 }
 
 // ---- bad input ----------------------------------------------------------------------------------------------

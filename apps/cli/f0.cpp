@@ -38,12 +38,18 @@ std::vector<normal_colour> ends(const material& substance, color_space space, do
             colour_at_normal(high_end(substance), space, ambient)};
 }
 
+// Where n and k are from; every built-in material that has them has a page.
+std::string origin(const material& substance) {
+    if (!substance.page.empty()) return substance.page;
+    return substance.kind == material_kind::spectral ? "(your table)" : "(no n, k page)";
+}
+
 void print(const normal_colour& c, const material& substance, gamut policy) {
     const auto line = [](std::string_view name, const rgb& v) {
         fmt::print("  {:<14} {:>8.4f} {:>8.4f} {:>8.4f}\n", name, v[0], v[1], v[2]);
     };
     const screen_color shown = to_screen(c.f0, c.space);
-    fmt::print("{}  {}\n", c.material, c.page.empty() ? "(no n, k page)" : c.page);
+    fmt::print("{}  {}\n", c.material, origin(substance));
     line("F0", apply_gamut(c.f0, policy));
     line("F82", apply_gamut(c.f82, policy));
     line("F82 tint", c.f82_tint);
