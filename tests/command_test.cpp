@@ -170,6 +170,16 @@ TEST_F(command, f0_reads_a_users_own_table) {
     EXPECT_EQ(run("f0 mine.csv").out.rfind("mine.csv  (your table)\n", 0), 0u) << run("f0 mine.csv").out;
 }
 
+TEST_F(command, tables_have_no_blanks_at_the_ends_of_their_lines) {
+    for (const char* line : {"compare gold", "materials", "figures rtr4-table-9-2", "models",
+                             "angles --n-t 1.5", "convert metalness --base 1 0.8 0.3 --metalness 0.5",
+                             "f0 gold", "cost --recorded", "identify 0.3", "materials show gold"}) {
+        const auto result = run(line);
+        EXPECT_EQ(result.code, 0) << line << "\n" << result.err;
+        EXPECT_EQ(result.out.find(" \n"), std::string::npos) << line << "\n" << result.out;
+    }
+}
+
 // ---- bad input ----------------------------------------------------------------------------------------------
 
 TEST_F(command, an_unknown_name_is_refused_with_the_nearest) {

@@ -81,9 +81,9 @@ void print(const media& m, const boundary_angles& a) {
     const auto line = [](std::string_view name, const std::optional<double>& value, std::string_view unit,
                          std::string_view what) {
         if (value)
-            fmt::print("  {:<16} {:>10.6f} {:<4}{}\n", name, *value, unit, what);
+            print_row("  {:<16} {:>10.6f} {:<4}{}", name, *value, unit, what);
         else
-            fmt::print("  {:<16} {:>10} {:<4}{}\n", name, "none", "", what);
+            print_row("  {:<16} {:>10} {:<4}{}", name, "none", "", what);
     };
     fmt::print("from n = {} to n = {} + {} i\n", m.n_i, m.n_t, m.k_t);
     line("F0", a.f0, "", "reflectance at normal incidence");

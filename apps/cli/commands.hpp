@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <string>
@@ -34,6 +35,15 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
 
 /// Prints JSON, two spaces deep, numbers in the fewest digits that read back as the same double.
 void print_json(const nlohmann::json& value);
+
+/// Prints a line without the blanks at its end.
+void print_trimmed(std::string line);
+
+/// Prints a row of a table, as fmt::print does but without the blanks behind its last cell, and ends the line.
+template <class... T>
+void print_row(fmt::format_string<T...> row, T&&... cells) {
+    print_trimmed(fmt::format(row, std::forward<T>(cells)...));
+}
 
 /// Whether standard output is a terminal that wants colours (NO_COLOR is unset).
 bool colours_wanted();

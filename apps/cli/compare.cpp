@@ -26,16 +26,16 @@ void print_rank(const model_fit& m, bool recommended) {
         return fmt::format("{:.4f} {:.4f} {:.4f}", v[0], v[1], v[2]);
     };
     const cost_row* cost = find_cost(m.name);
-    fmt::print("{:>4} {:<20} {:>22} {:>22} {:>8.2f} {:>6} {:>6} {}\n", m.rank, m.name, three(m.error.max),
-               three(m.error.cosine), m.error.delta_e_max, m.cost,
-               cost == nullptr ? "" : fmt::format("{:.0f}", cost->instructions),
-               recommended ? "<- use this" : "");
+    print_row("{:>4} {:<20} {:>22} {:>22} {:>8.2f} {:>6} {:>6} {}", m.rank, m.name, three(m.error.max),
+              three(m.error.cosine), m.error.delta_e_max, m.cost,
+              cost == nullptr ? "" : fmt::format("{:.0f}", cost->instructions),
+              recommended ? "<- use this" : "");
 }
 
 void print(const comparison& result) {
     const normal_colour& c = result.colour;
-    fmt::print("{}  F0 {:.4f} {:.4f} {:.4f}  {}\n{}\n\n", c.material, c.f0[0], c.f0[1], c.f0[2], c.page,
-               verdict(result));
+    print_row("{}  F0 {:.4f} {:.4f} {:.4f}  {}", c.material, c.f0[0], c.f0[1], c.f0[2], c.page);
+    fmt::print("{}\n\n", verdict(result));
     fmt::print("{:>4} {:<20} {:>22} {:>22} {:>8} {:>6} {:>6}\n", "rank", "model", "max error r g b",
                "cosine error r g b", "delta E", "cost", "instr");
     for (const model_fit& m : result.models)

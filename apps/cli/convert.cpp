@@ -49,7 +49,7 @@ nlohmann::json or_null(bool there, double value) { return there ? nlohmann::json
 std::string three(const rgb& c) { return fmt::format("{:.6g} {:.6g} {:.6g}", c[0], c[1], c[2]); }
 
 void line(std::string_view name, const std::string& value, std::string_view what = "") {
-    fmt::print("  {:<16} {:<28} {}\n", name, value, what);
+    print_row("  {:<16} {:<28} {}", name, value, what);
 }
 
 std::string number_or_dash(const nlohmann::json& value) {

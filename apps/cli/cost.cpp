@@ -105,9 +105,9 @@ void print(const std::vector<cost_row>& rows) {
     fmt::print("{:<20} {:<5} {:<10} {:<9} {:>12} {:>8} {:>11} {:>9}  {}\n", "model", "n_i", "gpu", "stage",
                "instructions", "latency", "throughput⁻¹", "registers", "by");
     for (const cost_row& row : rows)
-        fmt::print("{:<20} {:<5} {:<10} {:<9} {:>12} {:>8} {:>12} {:>9}  {} {}\n", row.model, row.n_i,
-                   row.gpu, row.stage, text_of(row.instructions, 1), text_of(row.latency, 0),
-                   text_of(row.inverse_throughput, 1), text_of(row.registers, 0), row.tool, row.version);
+        print_row("{:<20} {:<5} {:<10} {:<9} {:>12} {:>8} {:>12} {:>9}  {} {}", row.model, row.n_i, row.gpu,
+                  row.stage, text_of(row.instructions, 1), text_of(row.latency, 0),
+                  text_of(row.inverse_throughput, 1), text_of(row.registers, 0), row.tool, row.version);
 }
 
 void print_listings(const options& given) {

@@ -33,8 +33,8 @@ void print_list(bool json) {
 void print_checks(const source_figure& entry, const regenerated& made) {
     fmt::print("{}  {}\n  {}\n", entry.id, entry.title, made.measured);
     for (const check& c : made.checks)
-        fmt::print("  {:<44} {:>10.6g} {:>10.6g} {:>+10.2g} {}\n", c.what, c.published, c.computed,
-                   c.difference(), c.matched() ? "" : c.why);
+        print_row("  {:<44} {:>10.6g} {:>10.6g} {:>+10.2g} {}", c.what, c.published, c.computed,
+                  c.difference(), c.matched() ? "" : c.why);
 }
 
 void run(const options& given) {

@@ -116,8 +116,8 @@ void print(const identification& found) {
                to_hex(to_screen(found.f0, found.space)), found.surface, found.luminance);
     fmt::print("{:>7}  {:<24} {:<14} {:<22} {}\n", "ΔE", "nearest material", "class", "F0", "dataset");
     for (const neighbour& n : found.nearest)
-        fmt::print("{:>6.2f}  {:<24} {:<14} {:<22} {}{}\n", n.delta_e, n.substance->name,
-                   n.substance->category, three(n.f0), swatch(n.f0, found.space), dataset(*n.substance));
+        print_row("{:>6.2f}  {:<24} {:<14} {:<22} {}{}", n.delta_e, n.substance->name, n.substance->category,
+                  three(n.f0), swatch(n.f0, found.space), dataset(*n.substance));
     fmt::print("\n");
     for (const std::string& warning : found.warnings)
         fmt::print("warning: {}\n", warning);

@@ -19,6 +19,11 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
 
 void print_json(const nlohmann::json& value) { fmt::print("{}\n", value.dump(2)); }
 
+void print_trimmed(std::string line) {
+    line.erase(line.find_last_not_of(' ') + 1);
+    fmt::print("{}\n", line);
+}
+
 bool colours_wanted() { return isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr; }
 
 double parse_number(std::string_view argument, std::string_view text) {

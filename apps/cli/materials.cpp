@@ -42,8 +42,8 @@ std::string value_of(const material& m) {
 void print_list(const std::vector<material>& chosen) {
     fmt::print("{:<26} {:<14} {:<9} {:<44} {}\n", "material", "class", "kind", "page or value", "aliases");
     for (const material& m : chosen)
-        fmt::print("{:<26} {:<14} {:<9} {:<44} {}\n", m.name, m.category, name_of(m.kind), value_of(m),
-                   fmt::join(m.aliases, ", "));
+        print_row("{:<26} {:<14} {:<9} {:<44} {}", m.name, m.category, name_of(m.kind), value_of(m),
+                  fmt::join(m.aliases, ", "));
     fmt::print("{} materials; `fresnel materials show NAME` prints one\n", chosen.size());
 }
 

@@ -47,12 +47,12 @@ std::string failed(const verify_result& r) {
 void print_table(const conform::verification& all) {
     for (const std::string& receiver : all.receivers)
         fmt::print("{}\n", receiver);
-    fmt::print("\n{:<34} {:<13} {:>8} {:>9} {:>9} {:>8} {:>8} {:>8} {:>9}  {}\n", "function", "receiver",
-               "inputs", "differing", "largest", "ulp", "allowed", "open", "differing", "");
+    print_row("\n{:<34} {:<13} {:>8} {:>9} {:>9} {:>8} {:>8} {:>8} {:>9}", "function", "receiver", "inputs",
+              "differing", "largest", "ulp", "allowed", "open", "differing");
     for (const verify_result& r : all.results)
-        fmt::print("{:<34} {:<13} {:>8} {:>9} {:>9.2g} {:>8} {:>8.2g} {:>8} {:>9}  {}\n", r.what.id,
-                   r.receiver, r.found.rows, r.found.differing, r.found.max_difference, r.found.max_ulp,
-                   r.allowed, r.found.open_rows, r.found.open_differing, failed(r));
+        print_row("{:<34} {:<13} {:>8} {:>9} {:>9.2g} {:>8} {:>8.2g} {:>8} {:>9}  {}", r.what.id, r.receiver,
+                  r.found.rows, r.found.differing, r.found.max_difference, r.found.max_ulp, r.allowed,
+                  r.found.open_rows, r.found.open_differing, failed(r));
     for (const conform::skipped_receiver& s : all.skipped)
         fmt::print("skipped: {}: {}\n", s.receiver, s.reason);
     fmt::print(
@@ -87,9 +87,8 @@ void add_verify_options(CLI::App& command, verify_options& given) {
     CLI::Option* const verify = command.add_flag("--verify", given.wanted,
                                                  "run the text on graphics devices, by C compilers and by "
                                                  "nvcc where they are, compare bit by bit with the model");
-    for (const char* other :
-         {"--lang", "--fix", "--material", "--name", "--out", "--all", "--write", "--check", "--technique",
-          "--stage", "--space", "--ambient"})
+    for (const char* other : {"--lang", "--fix", "--material", "--name", "--out", "--all", "--write",
+                              "--check", "--technique", "--stage", "--space", "--ambient"})
         verify->excludes(command.get_option(other));
     command.add_flag("--json", given.json, "with --verify: JSON")->needs(verify);
     command
