@@ -118,6 +118,12 @@ bool in_place(const batch_job& job) {
     });
 }
 
+/// How many inputs are arrays.
+std::ptrdiff_t count_arrays(const batch_job& job) {
+    return std::count_if(job.inputs, job.inputs + job.input_count,
+                         [](const batch_argument& in) { return in.stride != 0; });
+}
+
 /// Copies the single values into the job: one that lies in an output would otherwise change on the way.
 void keep_singles(batch_job& job) {
     for (std::size_t k = 0; k < job.input_count; ++k) {
@@ -167,7 +173,9 @@ refusal make_job(quantity wanted, const batch_model& model, const instruction_se
     for (std::size_t k = 0; k < output_count; ++k)
         if (!job.outputs[k]) return {refusal::null_output, k};
     keep_singles(job);
-    job.past_caches = count >= values_past_caches && !in_place(job);
+    // exact models of one array lose by it where pages have 4 KiB
+    const bool gains = !kernels.models[index].polarised || count_arrays(job) > 1;
+    job.past_caches = count >= values_past_caches && gains && !in_place(job);
     return {};
 }
 
