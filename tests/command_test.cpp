@@ -25,6 +25,36 @@ TEST_F(command, help_of_every_command_shows_examples) {
     }
 }
 
+// The examples of a help text, without the remark that follows three spaces and what a pipe leads to.
+std::vector<std::string> examples_of(const std::string& help) {
+    std::vector<std::string> lines;
+    std::istringstream text(help.substr(help.find("Examples:")));
+    for (std::string line; std::getline(text, line);) {
+        if (line.rfind("  fresnel ", 0) != 0) continue;
+        line.erase(0, std::string("  fresnel ").size());
+        lines.push_back(line.substr(0, std::min(line.find("   "), line.find('|'))));
+    }
+    return lines;
+}
+
+// Of the commands that are done in a moment; not those of a file that the reader would have to have.
+TEST_F(command, help_shows_examples_that_work) {
+    for (const char* name :
+         {"models", "eval", "materials", "materials show", "f0", "angles", "convert", "convert ior",
+          "convert f0", "convert metalness", "convert opacity", "identify", "plot", "shader", "lut"}) {
+        const std::vector<std::string> examples = examples_of(run(std::string(name) + " --help").out);
+        EXPECT_GE(examples.size(), 2u) << name;
+        for (const std::string& example : examples) {
+            const bool slow = example.find("--verify") != std::string::npos;
+            if (slow || example.find(" rows.csv") != std::string::npos ||
+                example.find("my-measurement.csv") != std::string::npos)
+                continue;
+            const auto result = run(example);
+            EXPECT_EQ(result.code, 0) << example << "\n" << result.err;
+        }
+    }
+}
+
 TEST_F(command, version_is_printed) { EXPECT_EQ(run("--version").out.rfind("fresnel ", 0), 0u); }
 
 // ---- models -----------------------------------------------------------------------------------------------

@@ -73,7 +73,10 @@ TEST_F(convert, metalness_forwards_is_the_law) {
     const auto unity = json("convert metalness --law unity --base .5 --json");
     EXPECT_NEAR(unity["f0"][0], 0.04, 1e-15);
     EXPECT_NEAR(unity["albedo"][0], 0.48, 1e-15);
-    EXPECT_EQ(json("convert metalness --base .5 --json")["laws"].size(), 6u);
+    const auto all = json("convert metalness --base .5 --specular .25 --json")["laws"];
+    ASSERT_EQ(all.size(), 6u);
+    for (const auto& law : all)
+        EXPECT_EQ(law["specular"], law["law"] == "unity" ? nlohmann::json() : nlohmann::json(0.25)) << law;
 }
 
 TEST_F(convert, metalness_backwards_finds_what_forwards_took) {
@@ -101,6 +104,7 @@ TEST_F(convert, metalness_refuses_bad_use) {
     expect_refused("convert metalness --f0 1.3 --albedo 0", {"--f0", "1.3", "[0, 1.2]"});
     expect_refused("convert metalness --f0 .5 --albedo .5 --metalness 1", {"--metalness"});
     expect_refused("convert metalness --base .5 --f0 .5 --albedo .5", {"--base", "--f0"});
+    expect_refused("convert metalness --law unity --base .5 --specular .5", {"--specular .5", "unity"});
 }
 
 surface_colors random_surface(const metalness_law& law, test::random_numbers& random, metalness_values& v) {

@@ -136,8 +136,13 @@ struct metalness_options {
     bool json = false;
 };
 
+// Asked for every law at once, those without the number keep to themselves.
 double specular_of(const metalness_law& law, const metalness_options& given) {
     if (!given.specular) return law.specular_default;
+    if (law.specular_name.empty() && given.law.empty()) return law.specular_default;
+    if (law.specular_name.empty())
+        throw bad_input(
+            fmt::format("--specular {}: {} has no specular; leave it out", *given.specular, law.name));
     return checked({"--specular", "1", 0, law.specular_max, 0}, *given.specular);
 }
 
