@@ -42,8 +42,10 @@ void add_material(const options& given, const std::string& model, emit::model_re
             fmt::format("--material {} with {}: the model does not suit it", given.material, model));
     request.error = fmt::format("at most {:.3g} in a channel, CIEDE2000 {:.2g}, against the exact colours",
                                 found->error.worst(), found->error.delta_e_max);
-    request.about =
-        fmt::format("{}, fitted in linear {}; {}", given.material, to_string(space), substance.citation);
+    request.about = fmt::format("{}, fitted in {}; {}", given.material,
+                                space == color_space::xyz ? "parts of XYZ's white"
+                                                          : fmt::format("linear {}", to_string(space)),
+                                substance.citation);
     const auto& parameters = find_model<double>(model).parameters;
     for (std::size_t i = 0; i < parameters.size(); ++i)
         request.fixed.try_emplace(std::string(parameters[i].name),

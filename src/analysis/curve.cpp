@@ -91,9 +91,11 @@ normal_colour colour_at_normal(const material& substance, color_space space, dou
     result.average = integrate(how, average);
 
     const rgb_curve exact = exact_curve(substance, space, ambient, 1);
+    const rgb white = white_of(space);
     for (std::size_t i = 0; i < 3; ++i) {
-        result.f82_tint[i] = result.f82[i] / schlick(result.f0[i], ratio<double, 1, 7>());
-        const edge_tint tint = fit_gulbrandsen(channel_of(exact, result.f0, result.f82, ambient, i));
+        const channel one = channel_of(exact, result.f0, result.f82, ambient, i, white);
+        result.f82_tint[i] = one.f82 / schlick(one.f0, ratio<double, 1, 7>());
+        const edge_tint tint = fit_gulbrandsen(one);
         result.gulbrandsen_r[i] = tint.r, result.gulbrandsen_g[i] = tint.g;
     }
     return result;

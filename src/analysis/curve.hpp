@@ -58,9 +58,9 @@ struct normal_colour {
     color_space space;
     double ambient;
     rgb f0, f82;
-    rgb f82_tint; ///< f82 / schlick(f0, 1/7)
-    rgb gulbrandsen_r, gulbrandsen_g;
-    rgb average; ///< hemispherical: the integral of R 2 c dc
+    rgb f82_tint;                     ///< f82 / schlick(f0, 1/7), both as parts of white
+    rgb gulbrandsen_r, gulbrandsen_g; ///< r as a part of white
+    rgb average;                      ///< hemispherical: the integral of R 2 c dc
     std::string recipe;
 };
 
