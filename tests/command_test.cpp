@@ -124,6 +124,14 @@ TEST_F(command, csv_of_50_digits_is_right_to_50_digits) {
         << result.out;
 }
 
+TEST_F(command, csv_of_50_digits_takes_the_limits_as_they_are_printed) {
+    write("rows.csv", "n_i,n_t,k_t,cos_i\n0.01,0.001,0,1\n1,0.001,0.1,0.5\n");
+    for (const char* type : {"float", "double", "50"})
+        EXPECT_EQ(run(std::string("eval conductor --csv rows.csv --type ") + type).code, 0) << type;
+    expect_refused("eval dielectric --csv - --type 50", {"line 2, column 1 (n_t)", "[0.001, 1000]"},
+                   "printf 'n_t,cos_i\\n0.00099999999999999999999,1\\n' | ");
+}
+
 TEST_F(command, csv_in_float_is_the_float_model) {
     const auto result = run("eval schlick --csv - --type float", "printf 'f0,cos_i\\n0.04,0.5\\n' | ");
     EXPECT_EQ(result.out, "f0,cos_i,R\n0.04,0.5,0.07\n");
@@ -260,6 +268,9 @@ TEST_F(command, a_file_that_cannot_be_read_is_refused) {
     write("empty.yml", "");
     expect_refused("eval schlick --csv missing.csv", {"missing.csv"});
     expect_refused("eval schlick --csv .", {"'.'", "directory"});
+    const auto folder_as_input = run("eval schlick --csv - < .");
+    EXPECT_EQ(folder_as_input.code, 1);
+    EXPECT_NE(folder_as_input.err.find("cannot be read"), std::string::npos) << folder_as_input.err;
     expect_refused("eval schlick --csv noise.csv", {"line 1"});
     expect_refused("eval schlick --csv empty.csv", {"header"});
     for (const char* command_name : {"f0", "compare", "materials show"})

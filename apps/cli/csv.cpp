@@ -7,9 +7,11 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cerrno>
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <unistd.h>
@@ -37,6 +39,15 @@ bool parse(std::string_view text, real50& value) {
     if (!parse(text, check)) return false;
     value = real50(std::string(text));
     return true;
+}
+
+// A limit as it is written, of which the double is but the nearest: 0.001 at 50 digits is inside [0.001, 1000].
+template <class T>
+T as_written(double limit) {
+    if constexpr (std::is_same_v<T, real50>)
+        return real50(fmt::format("{}", limit));
+    else
+        return T(limit);
 }
 
 template <class T>
@@ -70,7 +81,7 @@ void split(std::string_view line, std::vector<std::string_view>& cells) {
 
 class line_reader {
 public:
-    explicit line_reader(const std::string& path) : file_(open(path)) {}
+    explicit line_reader(const std::string& path) : path_(path), file_(open(path)) {}
     ~line_reader() { std::free(buffer_); }
     line_reader(const line_reader&) = delete;
     line_reader& operator=(const line_reader&) = delete;
@@ -78,6 +89,8 @@ public:
     // The next line without its end, or false at the end of the file.
     bool next(std::string_view& line) {
         const ssize_t size = getline(&buffer_, &capacity_, file_.get());
+        if (size < 0 && std::ferror(file_.get()) != 0)
+            throw failure(fmt::format("--csv '{}': cannot be read: {}", path_, std::strerror(errno)));
         if (size < 0) return false;
         ++number_;
         line = {buffer_, static_cast<std::size_t>(size)};
@@ -98,6 +111,7 @@ private:
         return file;
     }
 
+    std::string path_;
     file_handle file_;
     char* buffer_ = nullptr;
     std::size_t capacity_ = 0;
@@ -157,6 +171,20 @@ struct layout {
     std::vector<bool> present;
 };
 
+// The limits of the wanted parameters, in the type of the rows.
+template <class T>
+struct limits {
+    std::vector<T> least, most;
+
+    explicit limits(const std::vector<parameter>& wanted) {
+        for (const parameter& p : wanted)
+            least.push_back(as_written<T>(p.min)), most.push_back(as_written<T>(p.max));
+    }
+    bool hold(const T& value, std::size_t index) const {
+        return value >= least[index] && value <= most[index];
+    }
+};
+
 template <class T>
 layout read_header(std::string_view line, const model_row<T>& model) {
     layout header{{model.parameters.begin(), model.parameters.end()}, {}, {}};
@@ -187,8 +215,8 @@ layout read_header(std::string_view line, const model_row<T>& model) {
 }
 
 template <class T>
-void read_row(const std::vector<std::string_view>& cells, const layout& header, std::size_t line,
-              std::vector<T>& values) {
+void read_row(const std::vector<std::string_view>& cells, const layout& header, const limits<T>& allowed,
+              std::size_t line, std::vector<T>& values) {
     if (cells.size() != header.wanted_of_column.size())
         throw bad_input(fmt::format("line {}: has {} columns, the header {}", line, cells.size(),
                                     header.wanted_of_column.size()));
@@ -198,7 +226,7 @@ void read_row(const std::vector<std::string_view>& cells, const layout& header, 
         const auto place = [&] { return fmt::format("line {}, column {} ({})", line, column + 1, p.name); };
         if (!parse(cells[column], values[index]))
             throw bad_input(fmt::format("{}: '{}' is not a number", place(), cells[column]));
-        if (!(values[index] >= T(p.min) && values[index] <= T(p.max)))
+        if (!allowed.hold(values[index], index))
             throw bad_input(fmt::format("{}: {} is not in [{}, {}]", place(), cells[column], p.min, p.max));
     }
 }
@@ -223,11 +251,12 @@ void evaluate_rows(const model_row<T>& model, line_reader& input, row_writer& ou
 
     std::vector<T> values;
     for (const parameter& p : header.wanted)
-        values.emplace_back(T(p.default_value));
+        values.emplace_back(as_written<T>(p.default_value));
+    const limits<T> allowed(header.wanted);
     std::vector<std::string_view> cells;
     while (input.next(line)) {
         split(line, cells);
-        read_row(cells, header, input.number(), values);
+        read_row(cells, header, allowed, input.number(), values);
         out.assign(line);
         append_results(out, model.evaluate(values.data(), values.back()), model.polarised());
         emit();
