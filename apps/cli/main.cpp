@@ -1,6 +1,7 @@
 #include "commands.hpp"
 
 #include "error.hpp"
+#include "figure/leftover.hpp"
 
 #include <fmt/format.h>
 
@@ -73,12 +74,14 @@ void check_command(const CLI::App& app, int argc, char** argv) {
 }
 
 int report(std::string_view message, int code) {
+    remove_empty_folders();
     std::string line(message.substr(0, message.find('\n')));
     fmt::print(stderr, "fresnel: {}\n", line);
     return code;
 }
 
 int run(int argc, char** argv) {
+    remove_leftovers_on_signals();
     CLI::App app{"Fresnel reflectance for rendering: exact, approximate, measured.", "fresnel"};
     try {
         build(app);

@@ -4,6 +4,7 @@
 #include "analysis/drawing.hpp"
 #include "analysis/pareto.hpp"
 #include "figure/figure.hpp"
+#include "figure/leftover.hpp"
 #include "figure/page.hpp"
 #include "materials/observer.hpp"
 
@@ -242,8 +243,10 @@ nlohmann::json report_json(const std::vector<report_entry>& entries) {
 }
 
 void write_report(const std::vector<report_entry>& entries, const std::string& dir) {
-    const std::string figure_dir = (std::filesystem::path(dir) / "figures").string();
-    require_writable_folder("--out", figure_dir);
+    require_writable_folder("--out", (std::filesystem::path(dir) / "figures").string());
+    const staged_folder staged(dir);
+    const std::string figure_dir = (staged.path / "figures").string();
+    std::filesystem::create_directory(figure_dir);
     std::vector<std::vector<figure>> per_entry;
     std::vector<figure> all;
     for (const report_entry& entry : entries) {
@@ -251,8 +254,9 @@ void write_report(const std::vector<report_entry>& entries, const std::string& d
         all.insert(all.end(), per_entry.back().begin(), per_entry.back().end());
     }
     write_figures(all, figure_dir, {format::svg, format::png});
-    write_file((std::filesystem::path(dir) / "report.json").string(), report_json(entries).dump(2) + "\n");
-    write_file((std::filesystem::path(dir) / "index.html").string(), page(entries, per_entry, figure_dir));
+    write_file((staged.path / "report.json").string(), report_json(entries).dump(2) + "\n");
+    write_file((staged.path / "index.html").string(), page(entries, per_entry, figure_dir));
+    staged.finish();
 }
 
 } // namespace fresnel

@@ -24,7 +24,7 @@ std::filesystem::path make_folder() {
 
 } // namespace
 
-scratch_folder::scratch_folder() : path(make_folder()) {}
+scratch_folder::scratch_folder() : path(make_folder()), removed_on_signal_(path.string()) {}
 
 scratch_folder::~scratch_folder() {
     std::error_code ignored;

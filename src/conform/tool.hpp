@@ -1,5 +1,7 @@
 #pragma once
 
+#include "figure/leftover.hpp"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -15,6 +17,9 @@ public:
     scratch_folder& operator=(const scratch_folder&) = delete;
 
     const std::filesystem::path path;
+
+private:
+    leftover removed_on_signal_;
 };
 
 /// How a program ended, and what it said on standard output and standard error together.

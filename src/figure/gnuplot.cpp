@@ -1,6 +1,7 @@
 #include "figure/figure.hpp"
 
 #include "error.hpp"
+#include "figure/leftover.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -449,6 +451,7 @@ struct scratch_folder {
         std::string name = (std::filesystem::temp_directory_path() / "fresnel-XXXXXX").string();
         if (mkdtemp(name.data()) == nullptr) throw failure(fmt::format("{}: cannot be made", name));
         path = name;
+        removed_on_signal.emplace(name);
     }
     ~scratch_folder() {
         std::error_code ignored;
@@ -456,6 +459,8 @@ struct scratch_folder {
     }
     scratch_folder(const scratch_folder&) = delete;
     scratch_folder& operator=(const scratch_folder&) = delete;
+
+    std::optional<leftover> removed_on_signal;
 };
 
 } // namespace
