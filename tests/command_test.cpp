@@ -152,6 +152,45 @@ TEST_F(command, csv_on_a_pipe_ends_after_the_last_complete_row) {
     EXPECT_NE(result.err.find("line 4, column 2 (cos_i): 2 is not in [0, 1]"), std::string::npos)
         << result.err;
 }
+TEST_F(command, csv_out_follows_links_and_writes_into_what_is_no_file) {
+    write("rows.csv", "f0,cos_i\n0.04,1\n");
+    const std::string rows = "f0,cos_i,R\n0.04,1,0.04\n";
+    std::filesystem::create_symlink("results.csv", folder / "work" / "link.csv");
+    EXPECT_EQ(run("eval schlick --csv rows.csv --out link.csv").code, 0);
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "work" / "link.csv"));
+    EXPECT_EQ(fresnel::test::read_text(folder / "work" / "results.csv"), rows);
+    EXPECT_EQ(run("eval schlick --csv rows.csv --out pipe; wait", "mkfifo pipe; cat pipe & ").out, rows);
+    EXPECT_EQ(run("eval schlick --csv rows.csv --out -").out, rows);
+    EXPECT_EQ(run("eval schlick --csv rows.csv --out /dev/full").code, 1);
+    EXPECT_EQ(files().size(), 4u) << "the link, the pipe, the results and the rows";
+}
+
+// Ended by a signal, a program that ends so leaves a shell the code 128 + signal.
+TEST_F(command, ended_by_a_signal_leaves_nothing) {
+    const auto end_when = [](const std::string& there) {
+        return " & for i in $(seq 500); do ls -d " + there + " >/dev/null 2>&1 && break; sleep 0.02; done; " +
+               "kill $!; wait $!; echo $?";
+    };
+    EXPECT_EQ(run("figures --out out/figures >/dev/null" + end_when("out/figures/.*.part"),
+                  "export TMPDIR=\"$PWD\"; ")
+                  .out,
+              "143\n");
+    EXPECT_EQ(files(), std::vector<std::string>());
+    EXPECT_EQ(
+        run("eval schlick --csv in --out results.csv" + end_when("*.part"), "mkfifo in; exec 3<>in; ").out,
+        "143\n");
+    EXPECT_EQ(files(), std::vector<std::string>{"in"});
+}
+
+// A limit on the size of files stands for a full disk: the page is larger than every figure.
+TEST_F(command, a_report_that_cannot_be_written_leaves_nothing) {
+    const std::string full = "export TMPDIR=\"$PWD\"; trap '' XFSZ; ulimit -f 2; ";
+    const auto result = run("compare vacuum --out out/report", full);
+    EXPECT_EQ(result.code, 1) << result.err;
+    EXPECT_EQ(run("shader --write shaders", full).code, 1);
+    EXPECT_EQ(files(), std::vector<std::string>());
+}
+
 
 // ---- materials and f0 ---------------------------------------------------------------------------------------
 

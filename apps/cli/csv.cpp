@@ -3,6 +3,7 @@
 #include "analysis/model_table.hpp"
 #include "analysis/multi.hpp"
 #include "error.hpp"
+#include "figure/leftover.hpp"
 
 #include <fmt/format.h>
 
@@ -14,6 +15,7 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <unistd.h>
 
 namespace fresnel::cli {
@@ -120,12 +122,16 @@ private:
 
 // ---- writing ----------------------------------------------------------------------------------------------
 
-// Standard output, or a file beside the wanted one that takes its name when everything is written.
+// Standard output, a pipe or device that is there, or a file beside the wanted one that takes its name when everything
+// is written.
 class row_writer {
 public:
     explicit row_writer(const std::string& path)
-        : path_(path), beside_(path.empty() ? "" : fmt::format("{}.{}.part", path, getpid())),
-          file_(open(beside_, path)) {}
+        : name_(path.empty() || path == "-" ? "" : path), path_(link_target(name_)),
+          beside_(name_.empty() || is_special(name_) ? "" : fmt::format("{}.{}.part", path_, getpid())),
+          file_(open()) {
+        if (!beside_.empty()) removed_on_signal_.emplace(beside_);
+    }
     ~row_writer() {
         if (!beside_.empty()) file_.reset(), std::remove(beside_.c_str());
     }
@@ -134,31 +140,40 @@ public:
 
     void write(std::string_view line) {
         if (std::fwrite(line.data(), 1, line.size(), file_.get()) != line.size()) fail();
+        if (++lines_ % 65536 == 0) show_progress();
     }
     void finish() {
         if (std::fflush(file_.get()) != 0) fail();
+        if (shows_progress()) fmt::print(stderr, "\r\033[K");
         if (beside_.empty()) return;
         file_.reset();
         if (std::rename(beside_.c_str(), path_.c_str()) != 0) fail();
     }
 
 private:
-    static file_handle open(const std::string& beside, const std::string& path) {
-        if (beside.empty()) return {stdout, [](std::FILE*) { return 0; }};
-        if (std::filesystem::is_directory(path))
-            throw bad_input(fmt::format("--out '{}': is a folder; give a file", path));
-        file_handle file(std::fopen(beside.c_str(), "wb"), std::fclose);
+    file_handle open() const {
+        if (name_.empty()) return {stdout, [](std::FILE*) { return 0; }};
+        if (std::filesystem::is_directory(name_))
+            throw bad_input(fmt::format("--out '{}': is a folder; give a file", name_));
+        file_handle file(std::fopen((beside_.empty() ? name_ : beside_).c_str(), "wb"), std::fclose);
         if (!file)
             throw bad_input(
-                fmt::format("--out '{}': cannot be written; give a file in a folder that can", path));
+                fmt::format("--out '{}': cannot be written; give a file in a folder that can", name_));
         return file;
     }
     [[noreturn]] void fail() const {
-        throw failure(fmt::format("{}: cannot be written", path_.empty() ? "standard output" : path_));
+        throw failure(fmt::format("{}: cannot be written", name_.empty() ? "standard output" : name_));
+    }
+    // One line on a terminal that is overwritten; nothing where the rows themselves are seen.
+    bool shows_progress() const { return !beside_.empty() && isatty(STDERR_FILENO) != 0; }
+    void show_progress() const {
+        if (shows_progress()) fmt::print(stderr, "\r\033[Keval: {} rows", lines_);
     }
 
-    std::string path_, beside_;
+    std::string name_, path_, beside_;
     file_handle file_;
+    std::optional<leftover> removed_on_signal_;
+    std::size_t lines_ = 0;
 };
 
 // ---- the stream -------------------------------------------------------------------------------------------
