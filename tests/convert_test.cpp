@@ -26,6 +26,8 @@ TEST_F(convert, an_index_is_its_f0_its_angles_and_its_sliders) {
     EXPECT_NEAR(c["openpbr_specular_weight"], 1, 1e-12);
     EXPECT_NEAR(c["critical_inside"], 41.810314895778596, 1e-9);
     EXPECT_EQ(c["residual"], 0);
+    const auto wet = json("convert ior 1.5 --ambient 1.333 --json");
+    EXPECT_NEAR(wet["gltf_ior"], 1.5 / 1.333, 1e-15) << "glTF knows no medium outside";
 }
 
 TEST_F(convert, an_index_out_of_a_sliders_range_has_none) {

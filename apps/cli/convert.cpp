@@ -78,7 +78,7 @@ nlohmann::json from_index(double n, double k, double ambient) {
              or_null(clear && n > ambient, degrees_of_cosine(critical_cosine(std::min(ambient / n, 1.0))))},
             {"disney_specular", or_null(disney_specular(f0) <= 1, disney_specular(f0))},
             {"frostbite_reflectance", or_null(frostbite_reflectance(f0) <= 1, frostbite_reflectance(f0))},
-            {"gltf_ior", or_null(clear && n >= 1, n)},
+            {"gltf_ior", or_null(clear && n >= ambient, n / ambient)},
             {"openpbr_specular_weight", openpbr_specular_weight(f0, 1.5)},
             {"residual", 0}};
 }
