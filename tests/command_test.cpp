@@ -85,6 +85,7 @@ TEST_F(command, eval_sweeps_and_takes_lists) {
     EXPECT_EQ(json("eval schlick --f0 0.04 --theta 0:90:91 --json")["results"].size(), 91u);
     EXPECT_EQ(json("eval schlick --f0 0.04 --cos-i 0,0.5,1 --json")["results"].size(), 3u);
     EXPECT_EQ(json("eval schlick --json")["results"].size(), 10u);
+    EXPECT_EQ(json("eval one_minus_cos --json")["parameters"], nlohmann::json::object());
 }
 
 TEST_F(command, eval_takes_n_k_and_f0_from_a_material_of_any_kind) {
@@ -92,6 +93,13 @@ TEST_F(command, eval_takes_n_k_and_f0_from_a_material_of_any_kind) {
     EXPECT_GT(copper["results"][0]["R"].get<double>(), 0.9);
     for (const char* name : {"skin", "olive-oil", "water"})
         EXPECT_EQ(run(std::string("eval schlick --material ") + name).code, 0) << name;
+    const auto at_82 = [&](const std::string& model) {
+        return json("eval " + model +
+                    " --material gold --cos-i 0.14285714285714285 --json")["results"][0]["R"]
+            .get<double>();
+    };
+    EXPECT_NEAR(at_82("f82"), at_82("conductor"), 1e-12);
+    EXPECT_NEAR(at_82("f82_tint"), at_82("conductor"), 1e-12);
 }
 
 TEST_F(command, numbers_are_printed_so_that_they_read_back_as_the_same_double) {
@@ -144,14 +152,6 @@ TEST_F(command, csv_out_writes_a_file_that_is_complete_or_not_there) {
     EXPECT_EQ(fresnel::test::read_text(folder / "work" / "results.csv"), "f0,cos_i,R\n0.04,1,0.04\n");
 }
 
-TEST_F(command, csv_on_a_pipe_ends_after_the_last_complete_row) {
-    const auto result =
-        run("eval schlick --csv -", "printf 'f0,cos_i\\n0.04,1\\n0.5,1\\n0.04,2\\n0.04,1\\n' | ");
-    EXPECT_EQ(result.code, 2);
-    EXPECT_EQ(result.out, "f0,cos_i,R\n0.04,1,0.04\n0.5,1,0.5\n");
-    EXPECT_NE(result.err.find("line 4, column 2 (cos_i): 2 is not in [0, 1]"), std::string::npos)
-        << result.err;
-}
 TEST_F(command, csv_out_follows_links_and_writes_into_what_is_no_file) {
     write("rows.csv", "f0,cos_i\n0.04,1\n");
     const std::string rows = "f0,cos_i,R\n0.04,1,0.04\n";
@@ -191,6 +191,14 @@ TEST_F(command, a_report_that_cannot_be_written_leaves_nothing) {
     EXPECT_EQ(files(), std::vector<std::string>());
 }
 
+TEST_F(command, csv_on_a_pipe_ends_after_the_last_complete_row) {
+    const auto result =
+        run("eval schlick --csv -", "printf 'f0,cos_i\\n0.04,1\\n0.5,1\\n0.04,2\\n0.04,1\\n' | ");
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.out, "f0,cos_i,R\n0.04,1,0.04\n0.5,1,0.5\n");
+    EXPECT_NE(result.err.find("line 4, column 2 (cos_i): 2 is not in [0, 1]"), std::string::npos)
+        << result.err;
+}
 
 // ---- materials and f0 ---------------------------------------------------------------------------------------
 
@@ -274,6 +282,19 @@ TEST_F(command, nothing_or_too_much_is_refused) {
     expect_refused("eval schlick --cos-i 0.5 --theta 60", {"--cos-i", "--theta"});
     expect_refused("eval schlick --out x.csv", {"--out", "x.csv", "--csv"});
     expect_refused("eval schlick --type half --csv -", {"half", "float"});
+    expect_refused("eval conductor --wavelength 500", {"--wavelength 500", "--material"});
+    expect_refused("eval schlick --csv - --wavelength 500", {"--csv", "leave"});
+    expect_refused("eval schlick --csv - --json", {"--json", "--csv '-'"});
+    expect_refused("eval schlick --csv ''", {"--csv ''"});
+    expect_refused("eval schlick --csv - --out ''", {"--out ''"});
+    expect_refused("eval schlick --cos-i 0:1:2.5", {"0:1:2.5", "whole"});
+    expect_refused("eval dielectric --material gold", {"--material 'gold'", "k = 2.472", "conductor"});
+    expect_refused("claims --json --markdown", {"--json", "--markdown"});
+    expect_refused("claims wloka-schlick --sources", {"wloka-schlick", "--sources"});
+    expect_refused("figures --list nosuch", {"nosuch", "--list"});
+    expect_refused("figures --list --out x", {"--out 'x'", "--list"});
+    expect_refused("shader schlick --fix f0=.1 --fix f0=.2", {"--fix 'f0=.2'", "already"});
+    expect_refused("shader schlick --name ''", {"--name", "''"});
 }
 
 TEST_F(command, a_value_outside_its_range_is_refused_with_the_range) {
@@ -346,6 +367,7 @@ TEST_F(command, an_unwritable_place_is_refused) {
     write("file", "");
     expect_refused("eval schlick --csv rows.csv --out nowhere/results.csv", {"nowhere/results.csv"});
     expect_refused("eval schlick --csv rows.csv --out .", {"'.'"});
+    expect_refused("shader schlick --out file/x", {"--out 'file/x'"});
     expect_refused("compare copper --out file", {"--out", "file"});
     expect_refused("compare copper --out file/below", {"--out", "file/below"});
     expect_refused("compare copper --out /proc/fresnel", {"--out", "/proc/fresnel"});

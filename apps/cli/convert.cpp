@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "parameter_options.hpp"
 
 #include "analysis/angles.hpp"
 #include "analysis/curve.hpp"
@@ -213,7 +214,7 @@ void run_metalness(const metalness_options& given) {
 struct opacity_options {
     std::optional<std::string> total, attenuation;
     std::string fresnel;
-    words theta;
+    std::optional<std::string> theta;
     bool json = false;
 };
 
@@ -235,8 +236,9 @@ void run_opacity(const opacity_options& given) {
         total = opacity_total(attenuation, fresnel);
     }
     nlohmann::json rows = nlohmann::json::array();
-    for (const std::string& text : given.theta) {
-        const double theta = checked({"theta", "degree", 0, 90, 0}, text), c = cosine_of_degrees(theta);
+    for (const double theta : given.theta ? parse_list("theta", *given.theta) : std::vector<double>()) {
+        check_range({"theta", "degree", 0, 90, 0}, theta);
+        const double c = cosine_of_degrees(theta);
         const double silhouette = opacity_silhouette(attenuation, c), reflected = opacity_fresnel(fresnel, c);
         rows.push_back({{"theta", theta},
                         {"attenuation", silhouette},
@@ -330,9 +332,8 @@ void add_opacity(CLI::App& app) {
     command->add_option("--fresnel", given->fresnel, "opacity by reflection at normal view, in [0, 1]")
         ->type_name("A")
         ->required();
-    command->add_option("--theta", given->theta, "also at these angles in degrees")
-        ->type_name("LIST")
-        ->delimiter(',');
+    command->add_option("--theta", given->theta, "also at these angles in degrees: A, A,B,C or FROM:TO:COUNT")
+        ->type_name("LIST");
     command->add_flag("--json", given->json, "print JSON");
     command->callback([given] { run_opacity(*given); });
 }

@@ -1,5 +1,6 @@
 #include "colour_options.hpp"
 #include "commands.hpp"
+#include "figure_files.hpp"
 #include "parameter_options.hpp"
 #include "verify_options.hpp"
 
@@ -139,6 +140,7 @@ void run(const options& given) {
     }
     if (given.verify.wanted) return run_verify(given.verify, given.models);
     check(given);
+    if (!given.out.empty()) require_writable("--out", given.out);
     const std::string text = text_of(given);
     if (given.out.empty()) {
         fmt::print("{}", text);
@@ -174,7 +176,9 @@ void add_shader(CLI::App& app) {
         ->allow_extra_args(false);
     command->add_option("--material", given->material, "parameters fitted to that material, as constants")
         ->type_name("NAME");
-    command->add_option("--name", given->name, "name of the function")->type_name("N");
+    command->add_option("--name", given->name, "name of the function")
+        ->type_name("N")
+        ->check([](const std::string& name) { return name.empty() ? "'' is no name" : ""; });
     command
         ->add_option("--technique", given->technique,
                      "a complete vertex and fragment program of one MODEL: none, one-minus-cos, per-vertex, "
