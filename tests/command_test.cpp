@@ -245,6 +245,14 @@ TEST_F(command, f0_marks_gold_outside_srgb_and_limits_it_when_asked) {
     EXPECT_GT(json("f0 gold --json")["f0"][0].get<double>(), 1);
     EXPECT_EQ(json("f0 gold --json --gamut clamp")["f0"][0], 1);
     EXPECT_EQ(json("f0 gold --json --gamut divide")["f0"][0], 1);
+    const nlohmann::json as_is = json("f0 gold --json"), divided = json("f0 gold --json --gamut divide");
+    const double factor = as_is["f0"][0];
+    for (const char* key : {"f0", "f82", "average"})
+        EXPECT_NEAR(divided[key][1].get<double>(), as_is[key][1].get<double>() / factor, 1e-12) << key;
+    EXPECT_EQ(divided["gulbrandsen"]["r"][1], divided["f0"][1]);
+    EXPECT_NE(divided["hex"], as_is["hex"]);
+    EXPECT_FALSE(divided["hex_clamped"].get<bool>());
+    EXPECT_FALSE(divided["in_gamut"].get<bool>()) << "before it was limited";
     EXPECT_TRUE(json("f0 gold --json --space acescg")["in_gamut"].get<bool>());
     EXPECT_NE(run("f0 gold").out.find("clamped"), std::string::npos);
 }

@@ -62,8 +62,12 @@ struct normal_colour {
     rgb gulbrandsen_r, gulbrandsen_g; ///< r as a part of white
     rgb average;                      ///< hemispherical: the integral of R 2 c dc
     std::string recipe;
+    bool in_gamut; ///< whether f0 needed no limit
 };
 
-normal_colour colour_at_normal(const material& substance, color_space space, double ambient);
+/// policy   limits f0 and, alike, everything else: `divide` divides all by f0's one factor, and tint, r and g are those
+///          of the limited curve
+normal_colour colour_at_normal(const material& substance, color_space space, double ambient,
+                               gamut policy = gamut::none);
 
 } // namespace fresnel
