@@ -325,6 +325,22 @@ TEST_F(command, a_value_outside_its_range_is_refused_with_the_range) {
     expect_refused("compare copper --ambient air", {"ambient = 'air'", "number"});
 }
 
+TEST_F(command, whatever_a_value_holds_the_error_is_one_line) {
+    expect_refused("f0 \"$(printf 'cop\\nper\\033[1m')\"", {"cop\\nper\\x1b[1m"});
+    expect_refused("eval schlick --f0 \"$(printf 'a\\tb')\"", {"a\\tb", "number"});
+}
+
+TEST_F(command, output_that_does_not_arrive_is_a_failure) {
+    for (const char* arguments : {"--help", "eval --help", "--version", "models", "f0 gold --json"})
+        EXPECT_EQ(run(std::string(arguments) + " >/dev/full").code, 1) << arguments;
+}
+
+TEST_F(command, a_file_s_name_need_not_be_utf_8) {
+    write("\xff.csv", "wavelength_nm,n,k\n500,0.5,3\n600,0.4,3\n");
+    for (const char* arguments : {"f0 \xff.csv --json", "compare \xff.csv --json", "f0 \xff.csv"})
+        EXPECT_EQ(run(arguments).code, 0) << run(arguments).err;
+}
+
 TEST_F(command, a_file_that_cannot_be_read_is_refused) {
     write("noise.csv", std::string("\x7f"
                                    "ELF\0\xff\xfe\0\0\n\0",

@@ -7,6 +7,7 @@
 
 #include <charconv>
 #include <cstdio>
+#include <iostream>
 #include <unistd.h>
 
 namespace fresnel::cli {
@@ -18,7 +19,10 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
     return command;
 }
 
-void print_json(const nlohmann::json& value) { fmt::print("{}\n", value.dump(2)); }
+// The name of a file, which stands for a user's table, need not be UTF-8.
+void print_json(const nlohmann::json& value) {
+    fmt::print("{}\n", value.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+}
 
 bool colours_wanted() { return isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr; }
 
@@ -73,11 +77,31 @@ void check_command(const CLI::App& app, int argc, char** argv) {
                                 did_you_mean(argv[1], names)));
 }
 
+// One line whatever a value holds: control bytes as \n, \t or \x1b.
+std::string on_one_line(std::string_view message) {
+    std::string line;
+    for (const char c : message) {
+        const auto byte = static_cast<unsigned char>(c);
+        line += c == '\n'                  ? "\\n"
+                : c == '\t'                ? "\\t"
+                : byte < 32 || byte == 127 ? fmt::format("\\x{:02x}", byte)
+                                           : std::string(1, c);
+    }
+    return line;
+}
+
 int report(std::string_view message, int code) {
     remove_empty_folders();
-    std::string line(message.substr(0, message.find('\n')));
-    fmt::print(stderr, "fresnel: {}\n", line);
+    while (message.ends_with('\n'))
+        message.remove_suffix(1);
+    fmt::print(stderr, "fresnel: {}\n", on_one_line(message));
     return code;
+}
+
+// What was printed has arrived.
+int finished(int code) {
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.flush()) return code;
+    return report("standard output: cannot be written", 1);
 }
 
 int run(int argc, char** argv) {
@@ -87,10 +111,9 @@ int run(int argc, char** argv) {
         build(app);
         check_command(app, argc, argv);
         app.parse(argc, argv);
-        if (std::fflush(stdout) != 0) return report("standard output: cannot be written", 1);
-        return 0;
+        return finished(0);
     } catch (const CLI::Success& request) {
-        return app.exit(request); // --help, --version
+        return finished(app.exit(request)); // --help, --version
     } catch (const CLI::ParseError& error) {
         return report(error.what(), 2);
     } catch (const bad_input& error) {
