@@ -161,6 +161,17 @@ TEST_F(report, page_needs_no_other_file_and_says_what_to_use) {
     EXPECT_NE(page.find("prefers-color-scheme"), std::string::npos);
 }
 
+TEST_F(report, files_of_one_name_have_figures_of_their_own_and_one_material_has_one_entry) {
+    for (const char* dir : {"d1", "d2"}) {
+        std::filesystem::create_directory(folder / "work" / dir);
+        write(std::string(dir) + "/a.csv", "wavelength_nm,n,k\n500,0.5,3\n600,0.4,3\n");
+    }
+    EXPECT_EQ(run("compare d1/a.csv d2/a.csv --out out").code, 0);
+    for (const char* name : {"a-csv-curves.svg", "a-csv-2-curves.svg"})
+        EXPECT_TRUE(std::filesystem::exists(folder / "work/out/figures" / name)) << name;
+    EXPECT_EQ(json("compare copper copper --json")["materials"].size(), 1u);
+}
+
 TEST_F(report, is_the_same_text_json_and_file) {
     const nlohmann::json printed = json("compare iron --json --space acescg --ambient 1.33");
     ASSERT_EQ(run("compare iron --space acescg --ambient 1.33 --out out").code, 0);
