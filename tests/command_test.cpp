@@ -350,6 +350,13 @@ TEST_F(command, a_file_that_cannot_be_read_is_refused) {
                                    11));
     write("empty.csv", "");
     write("empty.yml", "");
+    write("nothing.csv", "wavelength_nm,n,k\n500,0.5,3\n600,0,0\n");
+    expect_refused("f0 nothing.csv", {"nothing.csv:3", "n and k"});
+    write("pole.yml",
+          "DATA:\n  - type: formula 1\n    wavelength_range: 0.3 0.9\n    coefficients: 0 -3 0.55\n");
+    for (const char* with : {"f0 pole.yml", "compare pole.yml", "angles --material pole.yml",
+                             "eval schlick --material pole.yml"})
+        expect_refused(with, {"'pole'", "550 nm"});
     expect_refused("eval schlick --csv missing.csv", {"missing.csv"});
     expect_refused("eval schlick --csv .", {"'.'", "directory"});
     const auto folder_as_input = run("eval schlick --csv - < .");

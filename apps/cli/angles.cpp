@@ -44,7 +44,7 @@ media chosen_media(const options& given) {
     if (given.material.empty())
         return {n_i, checked(row::n_t, given.n_t), checked(row::k_t, given.k_t.value_or("0"))};
     const double nm = checked({"--wavelength", "nm", 1, 1e9, 550}, given.wavelength.value_or("550"));
-    const optical_index index = index_at(load_material(given.material), nm);
+    const optical_index index = used_index(load_material(given.material), nm);
     return {n_i, index.n, index.k};
 }
 

@@ -93,7 +93,7 @@ std::vector<double> chosen_parameters(const options& given, const model_row<doub
     std::optional<optical_index> index;
     const double nm = chosen_wavelength(given);
     if (!given.material.empty()) {
-        index = index_at(load_material(given.material), nm);
+        index = used_index(load_material(given.material), nm);
         require_no_absorption(*index, given, model);
     }
     std::vector<double> values;

@@ -15,6 +15,15 @@
 
 namespace fresnel {
 
+namespace {} // namespace
+
+optical_index used_index(const material& substance, double wavelength_nm) {
+    const optical_index index = index_at(substance, wavelength_nm);
+    if (std::isfinite(index.n) && std::isfinite(index.k)) return index;
+    throw bad_input(fmt::format("material '{}': has no index at {} nm, where its formula has a pole",
+                                substance.name, wavelength_nm));
+}
+
 namespace {
 
 // The indices of a material at every wavelength of the recipe: looked up once, used at every angle.
@@ -23,7 +32,7 @@ struct index_spectrum {
 
     index_spectrum(const material& substance, const std::vector<double>& wavelength_nm) {
         for (const double nm : wavelength_nm)
-            at.push_back(index_at(substance, nm));
+            at.push_back(used_index(substance, nm));
     }
     std::vector<double> reflectance(double ambient, double cos_i,
                                     polarization which = polarization::mean) const {

@@ -15,6 +15,9 @@ namespace fresnel {
 double cosine_of_degrees(double theta_deg);
 double degrees_of_cosine(double cos_i);
 
+/// The index of a material at a wavelength that is used. Throws bad_input where it has none, at a pole of its formula.
+optical_index used_index(const material& substance, double wavelength_nm);
+
 /// Which reflectance: that of unpolarised light, (R_s + R_p) / 2, or one of the two.
 enum class polarization { mean, s, p };
 
