@@ -1,6 +1,7 @@
 #pragma once
 
 #include "error.hpp"
+#include "figure/leftover.hpp"
 
 #include <cstdlib>
 #include <filesystem>
@@ -11,10 +12,10 @@
 
 namespace fresnel {
 
-/// A folder for what is needed for a while: it disappears with its content.
+/// A folder for what is needed for a while: it disappears with its content, at a signal too.
 class scratch_folder {
 public:
-    scratch_folder() : path(made()) {}
+    scratch_folder() : path(made()), removed_on_signal_(path.string()) {}
     ~scratch_folder() {
         std::error_code ignored;
         std::filesystem::remove_all(path, ignored);
@@ -30,6 +31,8 @@ private:
         if (mkdtemp(name.data()) == nullptr) throw failure(name + ": cannot be made");
         return name;
     }
+
+    leftover removed_on_signal_;
 };
 
 /// All bytes of a file, nothing if it cannot be read. Tables of the user's are read by materials/table.hpp, which

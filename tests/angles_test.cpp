@@ -71,6 +71,9 @@ TEST_F(angles, refuse_bad_use) {
     expect_refused("angles --n-t 1.5 --k-t -1", {"k_t", "-1", "[0, 10000]"});
     expect_refused("angles --n-t glass", {"n_t", "glass", "number"});
     expect_refused("angles --n-t 1.5 --theta 91", {"theta", "91", "[0, 90]"});
+    expect_refused("angles --n-t 1.5 --theta 30,,60", {"theta", "''"});
+    expect_refused("angles --n-t 1.5 --wavelength abc", {"--wavelength abc", "--material"});
+    expect_refused("angles --material gold --k-t 3", {"--k-t 3", "gold"});
     expect_refused("angles --material goldd", {"goldd", "gold"});
     expect_refused("angles --material gold --wavelength -5", {"--wavelength", "-5"});
 }

@@ -343,11 +343,13 @@ TEST(batch, so_many_results_that_they_pass_the_caches_are_the_same) {
 }
 
 /// Of a job of `conductor` in the widest instruction set, the call that computes whole batches of the values from 0 to
-/// `end`; without computing any.
-kernel_call whole_batches(quantity wanted, const float* cos_i, std::vector<float*> outputs, std::size_t end) {
+/// `end`; without computing any. n_i and n_t are single values, k_t an array if `arrays`.
+kernel_call whole_batches(quantity wanted, const float* cos_i, std::vector<float*> outputs, std::size_t end,
+                          bool arrays = true) {
     static kernel_call longest;
     const float index = 1;
-    const std::vector metal(3, batch_argument::same(index));
+    std::vector metal(3, batch_argument::same(index));
+    if (arrays) metal[2] = batch_argument::array(cos_i);
     batch_job job;
     EXPECT_EQ(make_job(wanted, *find_batch_model("conductor"), *find_instruction_set(""), metal,
                        batch_argument::array(cos_i), values_past_caches, outputs, job)
@@ -386,6 +388,7 @@ TEST(batch, results_stay_in_the_caches_in_place_or_where_outputs_lie_differently
     EXPECT_FALSE(whole_batches(quantity::reflectance, c, {c}, n).past_caches);
     EXPECT_FALSE(whole_batches(quantity::polarised, c, {R, c, nullptr, nullptr}, n).past_caches);
     EXPECT_FALSE(whole_batches(quantity::polarised, c, {R, R + n + 1, nullptr, nullptr}, n).past_caches);
+    EXPECT_FALSE(whole_batches(quantity::reflectance, c, {R}, n, false).past_caches) << "one array";
 }
 
 TEST(batch, rgb_is_three_models_at_one_angle) {

@@ -25,6 +25,36 @@ TEST_F(command, help_of_every_command_shows_examples) {
     }
 }
 
+// The examples of a help text, without the remark that follows three spaces and what a pipe leads to.
+std::vector<std::string> examples_of(const std::string& help) {
+    std::vector<std::string> lines;
+    std::istringstream text(help.substr(help.find("Examples:")));
+    for (std::string line; std::getline(text, line);) {
+        if (line.rfind("  fresnel ", 0) != 0) continue;
+        line.erase(0, std::string("  fresnel ").size());
+        lines.push_back(line.substr(0, std::min(line.find("   "), line.find('|'))));
+    }
+    return lines;
+}
+
+// Of the commands that are done in a moment; not those of a file that the reader would have to have.
+TEST_F(command, help_shows_examples_that_work) {
+    for (const char* name :
+         {"models", "eval", "materials", "materials show", "f0", "angles", "convert", "convert ior",
+          "convert f0", "convert metalness", "convert opacity", "identify", "plot", "shader", "lut"}) {
+        const std::vector<std::string> examples = examples_of(run(std::string(name) + " --help").out);
+        EXPECT_GE(examples.size(), 2u) << name;
+        for (const std::string& example : examples) {
+            const bool slow = example.find("--verify") != std::string::npos;
+            if (slow || example.find(" rows.csv") != std::string::npos ||
+                example.find("my-measurement.csv") != std::string::npos)
+                continue;
+            const auto result = run(example);
+            EXPECT_EQ(result.code, 0) << example << "\n" << result.err;
+        }
+    }
+}
+
 TEST_F(command, version_is_printed) { EXPECT_EQ(run("--version").out.rfind("fresnel ", 0), 0u); }
 
 // ---- models -----------------------------------------------------------------------------------------------
@@ -55,6 +85,7 @@ TEST_F(command, eval_sweeps_and_takes_lists) {
     EXPECT_EQ(json("eval schlick --f0 0.04 --theta 0:90:91 --json")["results"].size(), 91u);
     EXPECT_EQ(json("eval schlick --f0 0.04 --cos-i 0,0.5,1 --json")["results"].size(), 3u);
     EXPECT_EQ(json("eval schlick --json")["results"].size(), 10u);
+    EXPECT_EQ(json("eval one_minus_cos --json")["parameters"], nlohmann::json::object());
 }
 
 TEST_F(command, eval_takes_n_k_and_f0_from_a_material_of_any_kind) {
@@ -62,6 +93,13 @@ TEST_F(command, eval_takes_n_k_and_f0_from_a_material_of_any_kind) {
     EXPECT_GT(copper["results"][0]["R"].get<double>(), 0.9);
     for (const char* name : {"skin", "olive-oil", "water"})
         EXPECT_EQ(run(std::string("eval schlick --material ") + name).code, 0) << name;
+    const auto at_82 = [&](const std::string& model) {
+        return json("eval " + model +
+                    " --material gold --cos-i 0.14285714285714285 --json")["results"][0]["R"]
+            .get<double>();
+    };
+    EXPECT_NEAR(at_82("f82"), at_82("conductor"), 1e-12);
+    EXPECT_NEAR(at_82("f82_tint"), at_82("conductor"), 1e-12);
 }
 
 TEST_F(command, numbers_are_printed_so_that_they_read_back_as_the_same_double) {
@@ -94,6 +132,14 @@ TEST_F(command, csv_of_50_digits_is_right_to_50_digits) {
         << result.out;
 }
 
+TEST_F(command, csv_of_50_digits_takes_the_limits_as_they_are_printed) {
+    write("rows.csv", "n_i,n_t,k_t,cos_i\n0.01,0.001,0,1\n1,0.001,0.1,0.5\n");
+    for (const char* type : {"float", "double", "50"})
+        EXPECT_EQ(run(std::string("eval conductor --csv rows.csv --type ") + type).code, 0) << type;
+    expect_refused("eval dielectric --csv - --type 50", {"line 2, column 1 (n_t)", "[0.001, 1000]"},
+                   "printf 'n_t,cos_i\\n0.00099999999999999999999,1\\n' | ");
+}
+
 TEST_F(command, csv_in_float_is_the_float_model) {
     const auto result = run("eval schlick --csv - --type float", "printf 'f0,cos_i\\n0.04,0.5\\n' | ");
     EXPECT_EQ(result.out, "f0,cos_i,R\n0.04,0.5,0.07\n");
@@ -104,6 +150,45 @@ TEST_F(command, csv_out_writes_a_file_that_is_complete_or_not_there) {
     EXPECT_EQ(run("eval schlick --csv rows.csv --out results.csv").code, 0);
     EXPECT_EQ(files(), (std::vector<std::string>{"results.csv", "rows.csv"}));
     EXPECT_EQ(fresnel::test::read_text(folder / "work" / "results.csv"), "f0,cos_i,R\n0.04,1,0.04\n");
+}
+
+TEST_F(command, csv_out_follows_links_and_writes_into_what_is_no_file) {
+    write("rows.csv", "f0,cos_i\n0.04,1\n");
+    const std::string rows = "f0,cos_i,R\n0.04,1,0.04\n";
+    std::filesystem::create_symlink("results.csv", folder / "work" / "link.csv");
+    EXPECT_EQ(run("eval schlick --csv rows.csv --out link.csv").code, 0);
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "work" / "link.csv"));
+    EXPECT_EQ(fresnel::test::read_text(folder / "work" / "results.csv"), rows);
+    EXPECT_EQ(run("eval schlick --csv rows.csv --out pipe; wait", "mkfifo pipe; cat pipe & ").out, rows);
+    EXPECT_EQ(run("eval schlick --csv rows.csv --out -").out, rows);
+    EXPECT_EQ(run("eval schlick --csv rows.csv --out /dev/full").code, 1);
+    EXPECT_EQ(files().size(), 4u) << "the link, the pipe, the results and the rows";
+}
+
+// Ended by a signal, a program that ends so leaves a shell the code 128 + signal.
+TEST_F(command, ended_by_a_signal_leaves_nothing) {
+    const auto end_when = [](const std::string& there) {
+        return " & for i in $(seq 500); do ls -d " + there + " >/dev/null 2>&1 && break; sleep 0.02; done; " +
+               "kill $!; wait $!; echo $?";
+    };
+    EXPECT_EQ(run("figures --out out/figures >/dev/null" + end_when("out/figures/.*.part"),
+                  "export TMPDIR=\"$PWD\"; ")
+                  .out,
+              "143\n");
+    EXPECT_EQ(files(), std::vector<std::string>());
+    EXPECT_EQ(
+        run("eval schlick --csv in --out results.csv" + end_when("*.part"), "mkfifo in; exec 3<>in; ").out,
+        "143\n");
+    EXPECT_EQ(files(), std::vector<std::string>{"in"});
+}
+
+// A limit on the size of files stands for a full disk: the page is larger than every figure.
+TEST_F(command, a_report_that_cannot_be_written_leaves_nothing) {
+    const std::string full = "export TMPDIR=\"$PWD\"; trap '' XFSZ; ulimit -f 2; ";
+    const auto result = run("compare vacuum --out out/report", full);
+    EXPECT_EQ(result.code, 1) << result.err;
+    EXPECT_EQ(run("shader --write shaders", full).code, 1);
+    EXPECT_EQ(files(), std::vector<std::string>());
 }
 
 TEST_F(command, csv_on_a_pipe_ends_after_the_last_complete_row) {
@@ -160,6 +245,14 @@ TEST_F(command, f0_marks_gold_outside_srgb_and_limits_it_when_asked) {
     EXPECT_GT(json("f0 gold --json")["f0"][0].get<double>(), 1);
     EXPECT_EQ(json("f0 gold --json --gamut clamp")["f0"][0], 1);
     EXPECT_EQ(json("f0 gold --json --gamut divide")["f0"][0], 1);
+    const nlohmann::json as_is = json("f0 gold --json"), divided = json("f0 gold --json --gamut divide");
+    const double factor = as_is["f0"][0];
+    for (const char* key : {"f0", "f82", "average"})
+        EXPECT_NEAR(divided[key][1].get<double>(), as_is[key][1].get<double>() / factor, 1e-12) << key;
+    EXPECT_EQ(divided["gulbrandsen"]["r"][1], divided["f0"][1]);
+    EXPECT_NE(divided["hex"], as_is["hex"]);
+    EXPECT_FALSE(divided["hex_clamped"].get<bool>());
+    EXPECT_FALSE(divided["in_gamut"].get<bool>()) << "before it was limited";
     EXPECT_TRUE(json("f0 gold --json --space acescg")["in_gamut"].get<bool>());
     EXPECT_NE(run("f0 gold").out.find("clamped"), std::string::npos);
 }
@@ -208,6 +301,19 @@ TEST_F(command, nothing_or_too_much_is_refused) {
     expect_refused("eval schlick --cos-i 0.5 --theta 60", {"--cos-i", "--theta"});
     expect_refused("eval schlick --out x.csv", {"--out", "x.csv", "--csv"});
     expect_refused("eval schlick --type half --csv -", {"half", "float"});
+    expect_refused("eval conductor --wavelength 500", {"--wavelength 500", "--material"});
+    expect_refused("eval schlick --csv - --wavelength 500", {"--csv", "leave"});
+    expect_refused("eval schlick --csv - --json", {"--json", "--csv '-'"});
+    expect_refused("eval schlick --csv ''", {"--csv ''"});
+    expect_refused("eval schlick --csv - --out ''", {"--out ''"});
+    expect_refused("eval schlick --cos-i 0:1:2.5", {"0:1:2.5", "whole"});
+    expect_refused("eval dielectric --material gold", {"--material 'gold'", "k = 2.472", "conductor"});
+    expect_refused("claims --json --markdown", {"--json", "--markdown"});
+    expect_refused("claims wloka-schlick --sources", {"wloka-schlick", "--sources"});
+    expect_refused("figures --list nosuch", {"nosuch", "--list"});
+    expect_refused("figures --list --out x", {"--out 'x'", "--list"});
+    expect_refused("shader schlick --fix f0=.1 --fix f0=.2", {"--fix 'f0=.2'", "already"});
+    expect_refused("shader schlick --name ''", {"--name", "''"});
 }
 
 TEST_F(command, a_value_outside_its_range_is_refused_with_the_range) {
@@ -230,6 +336,22 @@ TEST_F(command, a_value_outside_its_range_is_refused_with_the_range) {
     expect_refused("compare copper --ambient air", {"ambient = 'air'", "number"});
 }
 
+TEST_F(command, whatever_a_value_holds_the_error_is_one_line) {
+    expect_refused("f0 \"$(printf 'cop\\nper\\033[1m')\"", {"cop\\nper\\x1b[1m"});
+    expect_refused("eval schlick --f0 \"$(printf 'a\\tb')\"", {"a\\tb", "number"});
+}
+
+TEST_F(command, output_that_does_not_arrive_is_a_failure) {
+    for (const char* arguments : {"--help", "eval --help", "--version", "models", "f0 gold --json"})
+        EXPECT_EQ(run(std::string(arguments) + " >/dev/full").code, 1) << arguments;
+}
+
+TEST_F(command, a_file_s_name_need_not_be_utf_8) {
+    write("\xff.csv", "wavelength_nm,n,k\n500,0.5,3\n600,0.4,3\n");
+    for (const char* arguments : {"f0 \xff.csv --json", "compare \xff.csv --json", "f0 \xff.csv"})
+        EXPECT_EQ(run(arguments).code, 0) << run(arguments).err;
+}
+
 TEST_F(command, a_file_that_cannot_be_read_is_refused) {
     write("noise.csv", std::string("\x7f"
                                    "ELF\0\xff\xfe\0\0\n\0",
@@ -239,8 +361,18 @@ TEST_F(command, a_file_that_cannot_be_read_is_refused) {
                                    11));
     write("empty.csv", "");
     write("empty.yml", "");
+    write("nothing.csv", "wavelength_nm,n,k\n500,0.5,3\n600,0,0\n");
+    expect_refused("f0 nothing.csv", {"nothing.csv:3", "n and k"});
+    write("pole.yml",
+          "DATA:\n  - type: formula 1\n    wavelength_range: 0.3 0.9\n    coefficients: 0 -3 0.55\n");
+    for (const char* with : {"f0 pole.yml", "compare pole.yml", "angles --material pole.yml",
+                             "eval schlick --material pole.yml"})
+        expect_refused(with, {"'pole'", "550 nm"});
     expect_refused("eval schlick --csv missing.csv", {"missing.csv"});
     expect_refused("eval schlick --csv .", {"'.'", "directory"});
+    const auto folder_as_input = run("eval schlick --csv - < .");
+    EXPECT_EQ(folder_as_input.code, 1);
+    EXPECT_NE(folder_as_input.err.find("cannot be read"), std::string::npos) << folder_as_input.err;
     expect_refused("eval schlick --csv noise.csv", {"line 1"});
     expect_refused("eval schlick --csv empty.csv", {"header"});
     for (const char* command_name : {"f0", "compare", "materials show"})
@@ -277,6 +409,7 @@ TEST_F(command, an_unwritable_place_is_refused) {
     write("file", "");
     expect_refused("eval schlick --csv rows.csv --out nowhere/results.csv", {"nowhere/results.csv"});
     expect_refused("eval schlick --csv rows.csv --out .", {"'.'"});
+    expect_refused("shader schlick --out file/x", {"--out 'file/x'"});
     expect_refused("compare copper --out file", {"--out", "file"});
     expect_refused("compare copper --out file/below", {"--out", "file/below"});
     expect_refused("compare copper --out /proc/fresnel", {"--out", "/proc/fresnel"});

@@ -55,6 +55,28 @@ TEST(compare, ranks_by_the_largest_error_and_recommends_nothing_that_is_beaten_a
     }
 }
 
+// A conductor reflects everything at grazing incidence, which in XYZ is white and not (1, 1, 1).
+TEST(compare, in_xyz_is_relative_to_its_white) {
+    for (const char* name : {"copper", "gold", "iron", "n-bk7"}) {
+        const comparison srgb = compare(*find_material(name), color_space::acescg, 1);
+        const comparison xyz = compare(*find_material(name), color_space::xyz, 1);
+        for (const model_fit& m : xyz.models) {
+            const rgb grazing = m.curve.back(), exact = xyz.exact.value.back();
+            for (std::size_t i = 0;
+                 i < 3 && m.name != "constant" && m.name != "bias_scale_power" && m.name != "schlick_f90";
+                 ++i)
+                EXPECT_NEAR(grazing[i], exact[i], 1e-12) << name << " " << m.name;
+        }
+        const char* exact_model = name == std::string("n-bk7") ? "dielectric" : "conductor";
+        EXPECT_LT(xyz.find(exact_model)->error.worst(), 0.02) << name;
+        EXPECT_NEAR(xyz.best_choice().error.delta_e_max, srgb.best_choice().error.delta_e_max, 1) << name;
+        for (std::size_t i = 0; i < 3; ++i) {
+            EXPECT_NEAR(xyz.colour.gulbrandsen_r[i], xyz.colour.f0[i] / xyz.exact.value.back()[i], 1e-12);
+            EXPECT_LE(xyz.colour.f82_tint[i], 1) << name;
+        }
+    }
+}
+
 TEST(compare, a_dielectric_is_exact_with_an_index_per_channel) {
     for (const char* name : {"n-bk7", "diamond", "water"}) {
         const comparison result = compare(*find_material(name), color_space::srgb, 1);
@@ -137,6 +159,17 @@ TEST_F(report, page_needs_no_other_file_and_says_what_to_use) {
     EXPECT_NE(page.find(verdict(compare(*find_material("copper"), color_space::srgb, 1)).substr(0, 20)),
               std::string::npos);
     EXPECT_NE(page.find("prefers-color-scheme"), std::string::npos);
+}
+
+TEST_F(report, files_of_one_name_have_figures_of_their_own_and_one_material_has_one_entry) {
+    for (const char* dir : {"d1", "d2"}) {
+        std::filesystem::create_directory(folder / "work" / dir);
+        write(std::string(dir) + "/a.csv", "wavelength_nm,n,k\n500,0.5,3\n600,0.4,3\n");
+    }
+    EXPECT_EQ(run("compare d1/a.csv d2/a.csv --out out").code, 0);
+    for (const char* name : {"a-csv-curves.svg", "a-csv-2-curves.svg"})
+        EXPECT_TRUE(std::filesystem::exists(folder / "work/out/figures" / name)) << name;
+    EXPECT_EQ(json("compare copper copper --json")["materials"].size(), 1u);
 }
 
 TEST_F(report, is_the_same_text_json_and_file) {

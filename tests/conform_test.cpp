@@ -173,7 +173,7 @@ TEST_F(conform, refuses_what_it_cannot_use) {
     expect_refused(a + "--fix eta=3", {"--fix 'eta'", "no such parameter"});
     expect_refused(a + "--range f0=0", {"--range 'f0=0'", "PARAMETER=LOW,HIGH"});
     expect_refused(a + "--range f0=0.5,0.1", {"--range f0", "must rise"});
-    expect_refused(a + "--tolerance -1", {"--tolerance"});
+    expect_refused(a + "--tolerance -1", {"--tolerance: '-1' must be a number above 0"});
     write("a.txt", schlick);
     expect_refused("conform a.txt --function F --as schlick", {"a.txt", "--lang"});
     write("b.glsl", "vec4 F(float f0, float u) { return vec4(f0 + u); }\n");

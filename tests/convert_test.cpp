@@ -26,6 +26,8 @@ TEST_F(convert, an_index_is_its_f0_its_angles_and_its_sliders) {
     EXPECT_NEAR(c["openpbr_specular_weight"], 1, 1e-12);
     EXPECT_NEAR(c["critical_inside"], 41.810314895778596, 1e-9);
     EXPECT_EQ(c["residual"], 0);
+    const auto wet = json("convert ior 1.5 --ambient 1.333 --json");
+    EXPECT_NEAR(wet["gltf_ior"], 1.5 / 1.333, 1e-15) << "glTF knows no medium outside";
 }
 
 TEST_F(convert, an_index_out_of_a_sliders_range_has_none) {
@@ -73,7 +75,10 @@ TEST_F(convert, metalness_forwards_is_the_law) {
     const auto unity = json("convert metalness --law unity --base .5 --json");
     EXPECT_NEAR(unity["f0"][0], 0.04, 1e-15);
     EXPECT_NEAR(unity["albedo"][0], 0.48, 1e-15);
-    EXPECT_EQ(json("convert metalness --base .5 --json")["laws"].size(), 6u);
+    const auto all = json("convert metalness --base .5 --specular .25 --json")["laws"];
+    ASSERT_EQ(all.size(), 6u);
+    for (const auto& law : all)
+        EXPECT_EQ(law["specular"], law["law"] == "unity" ? nlohmann::json() : nlohmann::json(0.25)) << law;
 }
 
 TEST_F(convert, metalness_backwards_finds_what_forwards_took) {
@@ -101,6 +106,7 @@ TEST_F(convert, metalness_refuses_bad_use) {
     expect_refused("convert metalness --f0 1.3 --albedo 0", {"--f0", "1.3", "[0, 1.2]"});
     expect_refused("convert metalness --f0 .5 --albedo .5 --metalness 1", {"--metalness"});
     expect_refused("convert metalness --base .5 --f0 .5 --albedo .5", {"--base", "--f0"});
+    expect_refused("convert metalness --law unity --base .5 --specular .5", {"--specular .5", "unity"});
 }
 
 surface_colors random_surface(const metalness_law& law, test::random_numbers& random, metalness_values& v) {

@@ -156,6 +156,15 @@ TEST_F(plots, a_model_beside_a_material_is_fitted_to_it_as_by_compare) {
     EXPECT_EQ(csv("copper schlick --f0 0.5").column.at("schlick")[0], 0.5) << "what is given is not fitted";
 }
 
+TEST_F(plots, in_xyz_a_model_is_relative_to_white_as_by_compare) {
+    const nlohmann::json models = json("compare copper --space xyz --json")["materials"][0]["models"];
+    const table t = csv("copper schlick --space xyz"), error = csv("schlick --error copper --space xyz");
+    const auto schlick =
+        std::find_if(models.begin(), models.end(), [](const auto& m) { return m["name"] == "schlick"; });
+    EXPECT_NEAR(largest(error.column.at("schlick Z")), (*schlick)["max_error"][2].get<double>(), 1e-12);
+    EXPECT_NEAR(t.column.at("schlick Z").back(), t.column.at("copper Z").back(), 1e-12);
+}
+
 TEST_F(plots, an_approximation_beside_an_exact_model_is_fitted_to_it) {
     const double f0 = 1.4 * 1.4 / (3.4 * 3.4); // ((2.4 - 1) / (2.4 + 1))^2
     EXPECT_NEAR(csv("dielectric schlick --n-t 2.4").column.at("schlick")[0], f0, 1e-12);

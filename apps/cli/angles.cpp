@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "parameter_options.hpp"
 
 #include "analysis/angles.hpp"
 #include "analysis/curve.hpp"
@@ -17,8 +18,8 @@ namespace fresnel::cli {
 namespace {
 
 struct options {
-    std::string n_i = "1", n_t, k_t = "0", material, wavelength = "550";
-    std::vector<std::string> theta;
+    std::string n_i = "1", n_t, material;
+    std::optional<std::string> k_t, wavelength, theta;
     bool json = false;
 };
 
@@ -35,9 +36,15 @@ double checked(const parameter& p, const std::string& text) {
 media chosen_media(const options& given) {
     const double n_i = checked(row::n_i, given.n_i);
     if (given.material.empty() == given.n_t.empty()) throw bad_input("--n-t, --material: give one of them");
-    if (given.material.empty()) return {n_i, checked(row::n_t, given.n_t), checked(row::k_t, given.k_t)};
-    const double nm = checked({"--wavelength", "nm", 1, 1e9, 550}, given.wavelength);
-    const optical_index index = index_at(load_material(given.material), nm);
+    if (given.material.empty() && given.wavelength)
+        throw bad_input(fmt::format("--wavelength {}: goes with --material only", *given.wavelength));
+    if (!given.material.empty() && given.k_t)
+        throw bad_input(fmt::format("--k-t {}: is what --material '{}' gives; leave one of them out",
+                                    *given.k_t, given.material));
+    if (given.material.empty())
+        return {n_i, checked(row::n_t, given.n_t), checked(row::k_t, given.k_t.value_or("0"))};
+    const double nm = checked({"--wavelength", "nm", 1, 1e9, 550}, given.wavelength.value_or("550"));
+    const optical_index index = used_index(load_material(given.material), nm);
     return {n_i, index.n, index.k};
 }
 
@@ -107,9 +114,10 @@ void print_ray(const media& m, double theta) {
 void run(const options& given) {
     const media m = chosen_media(given);
     const boundary_angles angles = angles_of(m.n_i, m.n_t, m.k_t);
-    std::vector<double> thetas;
-    for (const std::string& theta : given.theta)
-        thetas.push_back(checked({"theta", "degree", 0, 90, 0}, theta));
+    const std::vector<double> thetas =
+        given.theta ? parse_list("theta", *given.theta) : std::vector<double>();
+    for (const double theta : thetas)
+        check_range({"theta", "degree", 0, 90, 0}, theta);
     if (!given.json) {
         print(m, angles);
         if (!thetas.empty()) fmt::print("refracted rays\n");
@@ -141,9 +149,10 @@ void add_angles(CLI::App& app) {
         ->type_name("NAME");
     command->add_option("--wavelength", given->wavelength, "of the material, in nm (default 550)")
         ->type_name("NM");
-    command->add_option("--theta", given->theta, "refract rays at these angles in degrees: A or A,B,C")
-        ->type_name("LIST")
-        ->delimiter(',');
+    command
+        ->add_option("--theta", given->theta,
+                     "refract rays at these angles in degrees: A, A,B,C or FROM:TO:COUNT")
+        ->type_name("LIST");
     command->add_flag("--json", given->json, "print JSON");
     command->callback([given] { run(*given); });
 }

@@ -23,7 +23,17 @@ void print(const claim& one, const finding& found) {
     fmt::print("\n");
 }
 
+// The two documents are printed whole.
+void check(const options& given) {
+    if (given.json + given.markdown + given.sources > 1)
+        throw bad_input("--json, --markdown, --sources: give one of them");
+    if (!given.ids.empty() && (given.markdown || given.sources))
+        throw bad_input(fmt::format("ID '{}': does not go with {}, which prints all", given.ids.front(),
+                                    given.markdown ? "--markdown" : "--sources"));
+}
+
 void run(const options& given) {
+    check(given);
     if (given.sources) return fmt::print("{}", sources_markdown());
     if (given.markdown) return fmt::print("{}", claims_markdown());
     std::vector<const claim*> wanted;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <set>
 #include <unistd.h>
 
 namespace fresnel::cli {
@@ -53,8 +54,12 @@ void run(const options& given) {
     const color_space space = chosen_space(given.colour);
     const double ambient = chosen_ambient(given.colour);
     std::vector<material> substances;
-    for (const std::string& name : given.names)
-        substances.push_back(load_material(name));
+    std::set<std::string> seen; // a material by whichever of its names, a file by its path
+    for (const std::string& name : given.names) {
+        const bool file = name.ends_with(".yml") || name.ends_with(".csv");
+        material one = load_material(name);
+        if (seen.insert(file ? name : one.name).second) substances.push_back(std::move(one));
+    }
     if (!given.out.empty()) require_writable_folder("--out", given.out);
 
     std::vector<report_entry> entries;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 
 namespace fresnel::cli {
@@ -175,6 +176,16 @@ void run(options& given) {
                               found.findings[0]));
 }
 
+// CLI11's own check prints the largest double in 309 digits.
+std::string positive_number(const std::string& text) {
+    const char* const end = text.data() + text.size();
+    double value = 0;
+    const auto [next, error] = std::from_chars(text.data(), end, value);
+    return error == std::errc() && next == end && value > 0
+               ? ""
+               : fmt::format("'{}' must be a number above 0", text);
+}
+
 } // namespace
 
 void add_conform(CLI::App& app) {
@@ -207,11 +218,11 @@ void add_conform(CLI::App& app) {
         ->expected(1)
         ->allow_extra_args(false);
     command->add_option("--tolerance", given->request.tolerance, "largest absolute error (default 1e-4)")
-        ->check(CLI::PositiveNumber);
+        ->check(positive_number);
     command
         ->add_option("--relative", given->request.relative,
                      "largest relative error against an exact model (default 1e-2)")
-        ->check(CLI::PositiveNumber);
+        ->check(positive_number);
     command->add_flag("--exact", given->request.exact, "also report the error against the exact equations");
     command->add_flag("--json", given->json, "print JSON");
     command->callback([given] { run(*given); });

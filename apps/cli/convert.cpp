@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "parameter_options.hpp"
 
 #include "analysis/angles.hpp"
 #include "analysis/curve.hpp"
@@ -78,7 +79,7 @@ nlohmann::json from_index(double n, double k, double ambient) {
              or_null(clear && n > ambient, degrees_of_cosine(critical_cosine(std::min(ambient / n, 1.0))))},
             {"disney_specular", or_null(disney_specular(f0) <= 1, disney_specular(f0))},
             {"frostbite_reflectance", or_null(frostbite_reflectance(f0) <= 1, frostbite_reflectance(f0))},
-            {"gltf_ior", or_null(clear && n >= 1, n)},
+            {"gltf_ior", or_null(clear && n >= ambient, n / ambient)},
             {"openpbr_specular_weight", openpbr_specular_weight(f0, 1.5)},
             {"residual", 0}};
 }
@@ -136,8 +137,13 @@ struct metalness_options {
     bool json = false;
 };
 
+// Asked for every law at once, those without the number keep to themselves.
 double specular_of(const metalness_law& law, const metalness_options& given) {
     if (!given.specular) return law.specular_default;
+    if (law.specular_name.empty() && given.law.empty()) return law.specular_default;
+    if (law.specular_name.empty())
+        throw bad_input(
+            fmt::format("--specular {}: {} has no specular; leave it out", *given.specular, law.name));
     return checked({"--specular", "1", 0, law.specular_max, 0}, *given.specular);
 }
 
@@ -208,7 +214,7 @@ void run_metalness(const metalness_options& given) {
 struct opacity_options {
     std::optional<std::string> total, attenuation;
     std::string fresnel;
-    words theta;
+    std::optional<std::string> theta;
     bool json = false;
 };
 
@@ -230,8 +236,9 @@ void run_opacity(const opacity_options& given) {
         total = opacity_total(attenuation, fresnel);
     }
     nlohmann::json rows = nlohmann::json::array();
-    for (const std::string& text : given.theta) {
-        const double theta = checked({"theta", "degree", 0, 90, 0}, text), c = cosine_of_degrees(theta);
+    for (const double theta : given.theta ? parse_list("theta", *given.theta) : std::vector<double>()) {
+        check_range({"theta", "degree", 0, 90, 0}, theta);
+        const double c = cosine_of_degrees(theta);
         const double silhouette = opacity_silhouette(attenuation, c), reflected = opacity_fresnel(fresnel, c);
         rows.push_back({{"theta", theta},
                         {"attenuation", silhouette},
@@ -325,9 +332,8 @@ void add_opacity(CLI::App& app) {
     command->add_option("--fresnel", given->fresnel, "opacity by reflection at normal view, in [0, 1]")
         ->type_name("A")
         ->required();
-    command->add_option("--theta", given->theta, "also at these angles in degrees")
-        ->type_name("LIST")
-        ->delimiter(',');
+    command->add_option("--theta", given->theta, "also at these angles in degrees: A, A,B,C or FROM:TO:COUNT")
+        ->type_name("LIST");
     command->add_flag("--json", given->json, "print JSON");
     command->callback([given] { run_opacity(*given); });
 }

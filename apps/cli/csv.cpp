@@ -3,15 +3,19 @@
 #include "analysis/model_table.hpp"
 #include "analysis/multi.hpp"
 #include "error.hpp"
+#include "figure/leftover.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
+#include <cerrno>
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <unistd.h>
 
 namespace fresnel::cli {
@@ -37,6 +41,15 @@ bool parse(std::string_view text, real50& value) {
     if (!parse(text, check)) return false;
     value = real50(std::string(text));
     return true;
+}
+
+// A limit as it is written, of which the double is but the nearest: 0.001 at 50 digits is inside [0.001, 1000].
+template <class T>
+T as_written(double limit) {
+    if constexpr (std::is_same_v<T, real50>)
+        return real50(fmt::format("{}", limit));
+    else
+        return T(limit);
 }
 
 template <class T>
@@ -70,7 +83,7 @@ void split(std::string_view line, std::vector<std::string_view>& cells) {
 
 class line_reader {
 public:
-    explicit line_reader(const std::string& path) : file_(open(path)) {}
+    explicit line_reader(const std::string& path) : path_(path), file_(open(path)) {}
     ~line_reader() { std::free(buffer_); }
     line_reader(const line_reader&) = delete;
     line_reader& operator=(const line_reader&) = delete;
@@ -78,6 +91,8 @@ public:
     // The next line without its end, or false at the end of the file.
     bool next(std::string_view& line) {
         const ssize_t size = getline(&buffer_, &capacity_, file_.get());
+        if (size < 0 && std::ferror(file_.get()) != 0)
+            throw failure(fmt::format("--csv '{}': cannot be read: {}", path_, std::strerror(errno)));
         if (size < 0) return false;
         ++number_;
         line = {buffer_, static_cast<std::size_t>(size)};
@@ -98,6 +113,7 @@ private:
         return file;
     }
 
+    std::string path_;
     file_handle file_;
     char* buffer_ = nullptr;
     std::size_t capacity_ = 0;
@@ -106,12 +122,16 @@ private:
 
 // ---- writing ----------------------------------------------------------------------------------------------
 
-// Standard output, or a file beside the wanted one that takes its name when everything is written.
+// Standard output, a pipe or device that is there, or a file beside the wanted one that takes its name when everything
+// is written.
 class row_writer {
 public:
     explicit row_writer(const std::string& path)
-        : path_(path), beside_(path.empty() ? "" : fmt::format("{}.{}.part", path, getpid())),
-          file_(open(beside_, path)) {}
+        : name_(path.empty() || path == "-" ? "" : path), path_(link_target(name_)),
+          beside_(name_.empty() || is_special(name_) ? "" : fmt::format("{}.{}.part", path_, getpid())),
+          file_(open()) {
+        if (!beside_.empty()) removed_on_signal_.emplace(beside_);
+    }
     ~row_writer() {
         if (!beside_.empty()) file_.reset(), std::remove(beside_.c_str());
     }
@@ -120,31 +140,40 @@ public:
 
     void write(std::string_view line) {
         if (std::fwrite(line.data(), 1, line.size(), file_.get()) != line.size()) fail();
+        if (++lines_ % 65536 == 0) show_progress();
     }
     void finish() {
         if (std::fflush(file_.get()) != 0) fail();
+        if (shows_progress()) fmt::print(stderr, "\r\033[K");
         if (beside_.empty()) return;
         file_.reset();
         if (std::rename(beside_.c_str(), path_.c_str()) != 0) fail();
     }
 
 private:
-    static file_handle open(const std::string& beside, const std::string& path) {
-        if (beside.empty()) return {stdout, [](std::FILE*) { return 0; }};
-        if (std::filesystem::is_directory(path))
-            throw bad_input(fmt::format("--out '{}': is a folder; give a file", path));
-        file_handle file(std::fopen(beside.c_str(), "wb"), std::fclose);
+    file_handle open() const {
+        if (name_.empty()) return {stdout, [](std::FILE*) { return 0; }};
+        if (std::filesystem::is_directory(name_))
+            throw bad_input(fmt::format("--out '{}': is a folder; give a file", name_));
+        file_handle file(std::fopen((beside_.empty() ? name_ : beside_).c_str(), "wb"), std::fclose);
         if (!file)
             throw bad_input(
-                fmt::format("--out '{}': cannot be written; give a file in a folder that can", path));
+                fmt::format("--out '{}': cannot be written; give a file in a folder that can", name_));
         return file;
     }
     [[noreturn]] void fail() const {
-        throw failure(fmt::format("{}: cannot be written", path_.empty() ? "standard output" : path_));
+        throw failure(fmt::format("{}: cannot be written", name_.empty() ? "standard output" : name_));
+    }
+    // One line on a terminal that is overwritten; nothing where the rows themselves are seen.
+    bool shows_progress() const { return !beside_.empty() && isatty(STDERR_FILENO) != 0; }
+    void show_progress() const {
+        if (shows_progress()) fmt::print(stderr, "\r\033[Keval: {} rows", lines_);
     }
 
-    std::string path_, beside_;
+    std::string name_, path_, beside_;
     file_handle file_;
+    std::optional<leftover> removed_on_signal_;
+    std::size_t lines_ = 0;
 };
 
 // ---- the stream -------------------------------------------------------------------------------------------
@@ -155,6 +184,20 @@ struct layout {
     std::vector<parameter> wanted;
     std::vector<int> wanted_of_column;
     std::vector<bool> present;
+};
+
+// The limits of the wanted parameters, in the type of the rows.
+template <class T>
+struct limits {
+    std::vector<T> least, most;
+
+    explicit limits(const std::vector<parameter>& wanted) {
+        for (const parameter& p : wanted)
+            least.push_back(as_written<T>(p.min)), most.push_back(as_written<T>(p.max));
+    }
+    bool hold(const T& value, std::size_t index) const {
+        return value >= least[index] && value <= most[index];
+    }
 };
 
 template <class T>
@@ -187,8 +230,8 @@ layout read_header(std::string_view line, const model_row<T>& model) {
 }
 
 template <class T>
-void read_row(const std::vector<std::string_view>& cells, const layout& header, std::size_t line,
-              std::vector<T>& values) {
+void read_row(const std::vector<std::string_view>& cells, const layout& header, const limits<T>& allowed,
+              std::size_t line, std::vector<T>& values) {
     if (cells.size() != header.wanted_of_column.size())
         throw bad_input(fmt::format("line {}: has {} columns, the header {}", line, cells.size(),
                                     header.wanted_of_column.size()));
@@ -198,7 +241,7 @@ void read_row(const std::vector<std::string_view>& cells, const layout& header, 
         const auto place = [&] { return fmt::format("line {}, column {} ({})", line, column + 1, p.name); };
         if (!parse(cells[column], values[index]))
             throw bad_input(fmt::format("{}: '{}' is not a number", place(), cells[column]));
-        if (!(values[index] >= T(p.min) && values[index] <= T(p.max)))
+        if (!allowed.hold(values[index], index))
             throw bad_input(fmt::format("{}: {} is not in [{}, {}]", place(), cells[column], p.min, p.max));
     }
 }
@@ -223,11 +266,12 @@ void evaluate_rows(const model_row<T>& model, line_reader& input, row_writer& ou
 
     std::vector<T> values;
     for (const parameter& p : header.wanted)
-        values.emplace_back(T(p.default_value));
+        values.emplace_back(as_written<T>(p.default_value));
+    const limits<T> allowed(header.wanted);
     std::vector<std::string_view> cells;
     while (input.next(line)) {
         split(line, cells);
-        read_row(cells, header, input.number(), values);
+        read_row(cells, header, allowed, input.number(), values);
         out.assign(line);
         append_results(out, model.evaluate(values.data(), values.back()), model.polarised());
         emit();

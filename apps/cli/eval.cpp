@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 namespace fresnel::cli {
@@ -20,8 +21,7 @@ struct options {
     parameter_texts parameters;
     std::optional<std::string> cos_i, theta;
     std::string material;
-    double wavelength_nm = 550;
-    std::string csv, out;
+    std::optional<std::string> wavelength, csv, out;
     std::string type = "double";
     bool json = false;
 };
@@ -46,12 +46,37 @@ angles chosen_angles(const options& given) {
     return result;
 }
 
-// What an index says of a parameter.
+// What an index says of a parameter, the medium outside being air.
 double from_index(const optical_index& index, const parameter& p) {
+    const auto reflectance = [&](double c) { return conductor(1.0, index.n, index.k, c).reflectance(); };
+    constexpr double c82 = ratio<double, 1, 7>();
     if (p.name == "n_t" || p.name == "n" || p.name == "eta") return index.n;
     if (p.name == "k_t" || p.name == "k") return index.k;
     if (p.name == "f0" || p.name == "r") return normal_reflectance(1.0, index.n, index.k);
+    if (p.name == "f82") return reflectance(c82);
+    if (p.name == "tint")
+        return std::min(reflectance(c82) / schlick(normal_reflectance(1.0, index.n, index.k), c82), 1.0);
     return p.default_value;
+}
+
+double chosen_wavelength(const options& given) {
+    if (!given.wavelength) return 550;
+    if (given.material.empty())
+        throw bad_input(fmt::format("--wavelength {}: goes with --material only", *given.wavelength));
+    const double nm = parse_number("wavelength", *given.wavelength);
+    check_range({"wavelength", "nm", 1, 1e9, 550}, nm);
+    return nm;
+}
+
+// A model of n alone would leave out what makes a metal.
+void require_no_absorption(const optical_index& index, const options& given, const model_row<double>& model) {
+    const auto takes = [&](std::string_view name) {
+        return std::ranges::find(model.parameters, name, &parameter::name) != model.parameters.end();
+    };
+    const bool index_alone = (takes("n_t") && !takes("k_t")) || takes("eta");
+    if (index_alone && index.k > 0.1)
+        throw bad_input(fmt::format("--material '{}': absorbs, k = {:.4g}, and {} has no k; take conductor",
+                                    given.material, index.k, model.name));
 }
 
 std::vector<double> chosen_parameters(const options& given, const model_row<double>& model) {
@@ -66,7 +91,11 @@ std::vector<double> chosen_parameters(const options& given, const model_row<doub
                                     names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
     }
     std::optional<optical_index> index;
-    if (!given.material.empty()) index = index_at(load_material(given.material), given.wavelength_nm);
+    const double nm = chosen_wavelength(given);
+    if (!given.material.empty()) {
+        index = used_index(load_material(given.material), nm);
+        require_no_absorption(*index, given, model);
+    }
     std::vector<double> values;
     for (const parameter& p : model.parameters) {
         const auto found = given.parameters.find(std::string(p.name));
@@ -85,77 +114,95 @@ nlohmann::json to_json(const boundary<double>& b, bool polarised) {
             {"T", b.transmittance()}, {"Ts", b.T_s}, {"Tp", b.T_p}};
 }
 
-void print_result(const model_row<double>& model, const std::vector<double>& values, const angles& at,
-                  bool json) {
-    nlohmann::json parameters = nlohmann::json::object(), results = nlohmann::json::array();
+nlohmann::json parameters_json(const model_row<double>& model, const std::vector<double>& values) {
+    nlohmann::json parameters = nlohmann::json::object();
     for (std::size_t i = 0; i < values.size(); ++i)
         parameters[std::string(model.parameters[i].name)] = values[i];
-    if (!json) {
-        fmt::print("{}", model.name);
-        for (std::size_t i = 0; i < values.size(); ++i)
-            fmt::print("  {} = {}", model.parameters[i].name, values[i]);
-        fmt::print("\n{:>8} {:>22} {:>22}", "theta", "cos_i", "R");
-        fmt::print("{}\n", model.polarised() ? fmt::format(" {:>22} {:>22} {:>22}", "Rs", "Rp", "T") : "");
+    return parameters;
+}
+
+// Indented as every other JSON here, but row by row: a sweep of millions is not kept in memory.
+std::string indented(const nlohmann::json& value, int depth) {
+    const std::string space(static_cast<std::size_t>(depth), ' ');
+    std::string text = space;
+    for (const char c : value.dump(2))
+        text += c == '\n' ? "\n" + space : std::string(1, c);
+    return text;
+}
+
+void print_json_result(const model_row<double>& model, const std::vector<double>& values, const angles& at) {
+    fmt::print("{{\n  \"model\": \"{}\",\n  \"parameters\": {},\n  \"results\": [", model.name,
+               indented(parameters_json(model, values), 2).substr(2));
+    for (std::size_t i = 0; i < at.cos_i.size(); ++i) {
+        nlohmann::json one = to_json(model.evaluate(values.data(), at.cos_i[i]), model.polarised());
+        one["cos_i"] = at.cos_i[i], one["theta"] = at.theta[i];
+        fmt::print("{}\n{}", i == 0 ? "" : ",", indented(one, 4));
     }
+    fmt::print("\n  ]\n}}\n");
+}
+
+void print_result(const model_row<double>& model, const std::vector<double>& values, const angles& at) {
+    fmt::print("{}", model.name);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        fmt::print("  {} = {}", model.parameters[i].name, values[i]);
+    fmt::print("\n{:>8} {:>22} {:>22}", "theta", "cos_i", "R");
+    fmt::print("{}\n", model.polarised() ? fmt::format(" {:>22} {:>22} {:>22}", "Rs", "Rp", "T") : "");
     for (std::size_t i = 0; i < at.cos_i.size(); ++i) {
         const boundary<double> b = model.evaluate(values.data(), at.cos_i[i]);
-        if (json) {
-            nlohmann::json one = to_json(b, model.polarised());
-            one["cos_i"] = at.cos_i[i], one["theta"] = at.theta[i];
-            results.push_back(std::move(one));
-            continue;
-        }
         fmt::print("{:>8.4g} {:>22} {:>22}", at.theta[i], at.cos_i[i],
                    model.polarised() ? b.reflectance() : b.R_s);
         fmt::print("{}\n", model.polarised()
                                ? fmt::format(" {:>22} {:>22} {:>22}", b.R_s, b.R_p, b.transmittance())
                                : "");
     }
-    if (json) print_json({{"model", model.name}, {"parameters", parameters}, {"results", results}});
 }
 
 void evaluate_command(const options& given) {
     const model_row<double>& model = find_model<double>(given.model);
-    if (given.csv.empty()) {
-        if (!given.out.empty()) throw bad_input(fmt::format("--out '{}': goes with --csv only", given.out));
+    if (!given.csv) {
+        if (given.out) throw bad_input(fmt::format("--out '{}': goes with --csv only", *given.out));
         if (given.type != "double")
             throw bad_input(fmt::format("--type {}: goes with --csv only", given.type));
-        return print_result(model, chosen_parameters(given, model), chosen_angles(given), given.json);
+        const auto print = given.json ? print_json_result : print_result;
+        return print(model, chosen_parameters(given, model), chosen_angles(given));
     }
-    if (!given.parameters.empty() || given.cos_i || given.theta || !given.material.empty())
+    if (given.csv->empty()) throw bad_input("--csv '': is no file; - is standard input");
+    if (given.out && given.out->empty()) throw bad_input("--out '': is no file; - is standard output");
+    if (!given.parameters.empty() || given.cos_i || given.theta || !given.material.empty() ||
+        given.wavelength)
         throw bad_input(fmt::format(
-            "--csv '{}': takes every parameter from its columns; leave the others out", given.csv));
-    evaluate_csv(given.model, given.csv, given.out, given.type);
+            "--csv '{}': takes every parameter from its columns; leave the others out", *given.csv));
+    if (given.json)
+        throw bad_input(fmt::format("--json, --csv '{}': rows are CSV; leave --json out", *given.csv));
+    evaluate_csv(given.model, *given.csv, given.out.value_or(""), given.type);
 }
 
 } // namespace
 
 void add_eval(CLI::App& app) {
-    CLI::App* command =
-        add_command(app, "eval", "Evaluate a model at angles, or on every row of a CSV file",
-                    "  fresnel eval dielectric --n-t 1.5 --cos-i 0.5\n"
-                    "  fresnel eval conductor --material copper --wavelength 650 --theta 0:90:19\n"
-                    "  fresnel eval schlick --f0 0.04 --theta 0,60,85 --json\n"
-                    "  fresnel eval conductor --csv rows.csv --out results.csv\n"
-                    "  generate | fresnel eval dielectric --csv - --type float | consume");
+    CLI::App* command = add_command(
+        app, "eval", "Evaluate a model at angles, or on every row of a CSV file",
+        "  fresnel eval dielectric --n-t 1.5 --cos-i 0.5\n"
+        "  fresnel eval conductor --material copper --wavelength 650 --theta 0:90:19\n"
+        "  fresnel eval schlick --f0 0.04 --theta 0,60,85 --json\n"
+        "  fresnel eval conductor --csv rows.csv --out results.csv\n"
+        "  generate | fresnel eval dielectric --csv - --type float | consume\n\n"
+        "Rows of --csv are decimals between commas, spaces around them allowed; blank lines, quotes\n"
+        "and + signs are refused.");
     const auto given = std::make_shared<options>();
     command->add_option("MODEL", given->model, "registry name, see `fresnel models`")->required();
     command->add_option("--cos-i,--cos_i,--cos", given->cos_i, "cosines: A, A,B,C or FROM:TO:COUNT")
         ->type_name("LIST");
     command->add_option("--theta", given->theta, "angles in degrees, in the same form (default 0:90:10)")
         ->type_name("LIST");
-    command->add_option("--material", given->material, "take n, k and f0 from this material")
+    command->add_option("--material", given->material, "take n, k, f0, f82 and tint from this material")
         ->type_name("NAME");
-    command->add_option("--wavelength", given->wavelength_nm, "of the material, in nm (default 550)")
-        ->check([](const std::string& text) {
-            const double nm = parse_number("wavelength", text);
-            if (!(nm >= 1 && nm <= 1e9))
-                throw bad_input(fmt::format("wavelength = {}: must be in [1, 1e9] nm", text));
-            return std::string();
-        });
+    command->add_option("--wavelength", given->wavelength, "of the material, in nm (default 550)")
+        ->type_name("NM");
     command->add_option("--csv", given->csv, "read parameters and cos_i from this file, - for standard input")
         ->type_name("FILE");
-    command->add_option("--out", given->out, "write the rows of --csv to this file")->type_name("FILE");
+    command->add_option("--out", given->out, "write the rows of --csv to this file, - for standard output")
+        ->type_name("FILE");
     command->add_option("--type", given->type, "number type of --csv: float, double or 50 (digits)")
         ->check(CLI::IsMember({"float", "double", "50"}));
     command->add_flag("--json", given->json, "print JSON");

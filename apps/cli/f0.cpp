@@ -30,12 +30,12 @@ nlohmann::json page_of(const material& substance) {
 }
 
 // The two ends of a table row that is a range; nothing for the others.
-std::vector<normal_colour> ends(const material& substance, color_space space, double ambient) {
+std::vector<normal_colour> ends(const material& substance, color_space space, double ambient, gamut policy) {
     const std::array<double, 2>& range =
         substance.kind == material_kind::index ? substance.index : substance.f0;
     if (substance.kind == material_kind::spectral || range[0] == range[1]) return {};
-    return {colour_at_normal(low_end(substance), space, ambient),
-            colour_at_normal(high_end(substance), space, ambient)};
+    return {colour_at_normal(low_end(substance), space, ambient, policy),
+            colour_at_normal(high_end(substance), space, ambient, policy)};
 }
 
 // Where n and k are from; every built-in material that has them has a page.
@@ -50,19 +50,19 @@ void print(const normal_colour& c, const material& substance, gamut policy) {
     };
     const screen_color shown = to_screen(c.f0, c.space);
     fmt::print("{}  {}\n", c.material, origin(substance));
-    line("F0", apply_gamut(c.f0, policy));
-    line("F82", apply_gamut(c.f82, policy));
+    line("F0", c.f0);
+    line("F82", c.f82);
     line("F82 tint", c.f82_tint);
     line("Gulbrandsen r", c.gulbrandsen_r);
     line("Gulbrandsen g", c.gulbrandsen_g);
-    line("average", apply_gamut(c.average, policy));
-    const std::vector<normal_colour> range = ends(substance, c.space, c.ambient);
+    line("average", c.average);
+    const std::vector<normal_colour> range = ends(substance, c.space, c.ambient, policy);
     if (!range.empty()) line("F0 from", range[0].f0), line("F0 to", range[1].f0);
     fmt::print("  {:<14} {}", "sRGB", to_hex(shown.codes));
     if (colours_wanted())
         fmt::print("  \033[48;2;{};{};{}m      \033[0m", shown.codes[0], shown.codes[1], shown.codes[2]);
     fmt::print("{}\n", shown.in_gamut ? "" : "  (clamped: F0 lies outside sRGB)");
-    if (!in_gamut(c.f0) && c.space != color_space::xyz)
+    if (!c.in_gamut && policy == gamut::none)
         fmt::print(
             "  {:<14} F0 lies outside {}; --gamut clamp or divide limits it, --space acescg holds it\n",
             "note", to_string(c.space));
@@ -78,18 +78,18 @@ nlohmann::json to_json(const normal_colour& c, const material& substance, gamut 
                              {"ambient", c.ambient},
                              {"recipe", c.recipe},
                              {"gamut", to_string(policy)},
-                             {"f0", apply_gamut(c.f0, policy)},
-                             {"f82", apply_gamut(c.f82, policy)},
+                             {"f0", c.f0},
+                             {"f82", c.f82},
                              {"f82_tint", c.f82_tint},
                              {"gulbrandsen", {{"r", c.gulbrandsen_r}, {"g", c.gulbrandsen_g}}},
-                             {"average", apply_gamut(c.average, policy)},
+                             {"average", c.average},
                              {"srgb8", shown.codes},
                              {"hex", to_hex(shown.codes)},
-                             {"in_gamut", in_gamut(c.f0)},
+                             {"in_gamut", c.in_gamut},
                              {"hex_clamped", !shown.in_gamut},
                              {"citation", substance.citation},
                              {"quality", substance.quality}};
-    const std::vector<normal_colour> range = ends(substance, c.space, c.ambient);
+    const std::vector<normal_colour> range = ends(substance, c.space, c.ambient, policy);
     if (!range.empty()) result["f0_range"] = {range[0].f0, range[1].f0};
     return result;
 }
@@ -119,7 +119,7 @@ void add_f0(CLI::App& app) {
         const color_space space = chosen_space(given->colour);
         const double ambient = chosen_ambient(given->colour);
         const material substance = load_material(given->name);
-        const normal_colour colour = colour_at_normal(substance, space, ambient);
+        const normal_colour colour = colour_at_normal(substance, space, ambient, policy);
         if (given->json) return print_json(to_json(colour, substance, policy));
         print(colour, substance, policy);
     });

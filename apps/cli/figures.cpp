@@ -38,6 +38,10 @@ void print_checks(const source_figure& entry, const regenerated& made) {
 }
 
 void run(const options& given) {
+    if (given.list && !given.ids.empty())
+        throw bad_input(fmt::format("ID '{}': does not go with --list, which names all", given.ids.front()));
+    if (given.list && !given.out.empty())
+        throw bad_input(fmt::format("--out '{}': does not go with --list, which writes nothing", given.out));
     if (given.list) return print_list(given.json);
     std::vector<const source_figure*> wanted;
     for (const std::string& id : given.ids)

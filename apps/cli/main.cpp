@@ -1,11 +1,13 @@
 #include "commands.hpp"
 
 #include "error.hpp"
+#include "figure/leftover.hpp"
 
 #include <fmt/format.h>
 
 #include <charconv>
 #include <cstdio>
+#include <iostream>
 #include <unistd.h>
 
 namespace fresnel::cli {
@@ -17,7 +19,10 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
     return command;
 }
 
-void print_json(const nlohmann::json& value) { fmt::print("{}\n", value.dump(2)); }
+// The name of a file, which stands for a user's table, need not be UTF-8.
+void print_json(const nlohmann::json& value) {
+    fmt::print("{}\n", value.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+}
 
 void print_trimmed(std::string line) {
     line.erase(line.find_last_not_of(' ') + 1);
@@ -77,22 +82,43 @@ void check_command(const CLI::App& app, int argc, char** argv) {
                                 did_you_mean(argv[1], names)));
 }
 
+// One line whatever a value holds: control bytes as \n, \t or \x1b.
+std::string on_one_line(std::string_view message) {
+    std::string line;
+    for (const char c : message) {
+        const auto byte = static_cast<unsigned char>(c);
+        line += c == '\n'                  ? "\\n"
+                : c == '\t'                ? "\\t"
+                : byte < 32 || byte == 127 ? fmt::format("\\x{:02x}", byte)
+                                           : std::string(1, c);
+    }
+    return line;
+}
+
 int report(std::string_view message, int code) {
-    std::string line(message.substr(0, message.find('\n')));
-    fmt::print(stderr, "fresnel: {}\n", line);
+    remove_empty_folders();
+    while (message.ends_with('\n'))
+        message.remove_suffix(1);
+    fmt::print(stderr, "fresnel: {}\n", on_one_line(message));
     return code;
 }
 
+// What was printed has arrived.
+int finished(int code) {
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.flush()) return code;
+    return report("standard output: cannot be written", 1);
+}
+
 int run(int argc, char** argv) {
+    remove_leftovers_on_signals();
     CLI::App app{"Fresnel reflectance for rendering: exact, approximate, measured.", "fresnel"};
     try {
         build(app);
         check_command(app, argc, argv);
         app.parse(argc, argv);
-        if (std::fflush(stdout) != 0) return report("standard output: cannot be written", 1);
-        return 0;
+        return finished(0);
     } catch (const CLI::Success& request) {
-        return app.exit(request); // --help, --version
+        return finished(app.exit(request)); // --help, --version
     } catch (const CLI::ParseError& error) {
         return report(error.what(), 2);
     } catch (const bad_input& error) {

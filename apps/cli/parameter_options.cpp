@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fresnel::cli {
 
@@ -41,9 +42,9 @@ std::vector<double> parse_list(std::string_view argument, std::string_view text)
     };
     if (text.find(':') == std::string_view::npos) return pieces(',');
     const std::vector<double> range = pieces(':');
-    if (range.size() != 3 || !(range[2] >= 2 && range[2] <= 1e7))
-        throw bad_input(
-            fmt::format("{} = '{}': must be FROM:TO:COUNT with COUNT in [2, 10000000]", argument, text));
+    if (range.size() != 3 || !(range[2] >= 2 && range[2] <= 1e7) || range[2] != std::floor(range[2]))
+        throw bad_input(fmt::format(
+            "{} = '{}': must be FROM:TO:COUNT with COUNT a whole number in [2, 10000000]", argument, text));
     const auto count = static_cast<std::size_t>(range[2]);
     for (std::size_t i = 0; i < count; ++i) {
         const double t = static_cast<double>(i) / static_cast<double>(count - 1);
@@ -57,6 +58,7 @@ void add_fixed(const std::string& text, std::map<std::string, std::array<float, 
     if (equals == std::string::npos || equals == 0)
         throw bad_input(fmt::format("--fix '{}': must be PARAMETER=VALUE or PARAMETER=R,G,B", text));
     const std::string name = text.substr(0, equals);
+    if (fixed.contains(name)) throw bad_input(fmt::format("--fix '{}': {} is fixed already", text, name));
     std::vector<float> values;
     for (std::size_t from = equals + 1; from <= text.size();) {
         const std::size_t comma = std::min(text.find(',', from), text.size());

@@ -1,5 +1,6 @@
 #include "colour_options.hpp"
 #include "commands.hpp"
+#include "figure_files.hpp"
 #include "parameter_options.hpp"
 #include "verify_options.hpp"
 
@@ -31,7 +32,9 @@ struct options {
 // The material and what its parameters were fitted to: "gold, fitted in linear ACEScg, ambient 1.333; Johnson ...".
 std::string source_of(const options& given, const material& substance) {
     const double ambient = chosen_ambient(given.colour);
-    return fmt::format("{}, fitted in {}{}; {}", given.material, space_title(chosen_space(given.colour)),
+    const color_space space = chosen_space(given.colour);
+    return fmt::format("{}, fitted in {}{}; {}", given.material,
+                       space == color_space::xyz ? "parts of XYZ's white" : space_title(space),
                        ambient == 1 ? "" : fmt::format(", ambient {}", ambient), substance.citation);
 }
 
@@ -155,6 +158,7 @@ void run(const options& given) {
         return;
     }
     check(given);
+    if (!given.out.empty()) require_writable("--out", given.out);
     const std::string text = text_of(given);
     if (given.out.empty()) {
         fmt::print("{}", text);
@@ -190,7 +194,9 @@ void add_shader(CLI::App& app) {
         ->allow_extra_args(false);
     command->add_option("--material", given->material, "parameters fitted to that material, as constants")
         ->type_name("NAME");
-    command->add_option("--name", given->name, "name of the function")->type_name("N");
+    command->add_option("--name", given->name, "name of the function")
+        ->type_name("N")
+        ->check([](const std::string& name) { return name.empty() ? "'' is no name" : ""; });
     command
         ->add_option("--technique", given->technique,
                      "a complete vertex and fragment program of one MODEL: none, one-minus-cos, per-vertex, "

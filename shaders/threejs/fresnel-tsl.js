@@ -435,7 +435,7 @@ export const dielectric = /*@__PURE__*/ native(/* wgsl */ `
 // n_i     index in front of the surface, [0.01, 100]
 // n_t     index behind it, [0.001, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   rounding only, in float relative 2e-6, up to 6e-2 at a critical angle
+// error   rounding only, in float relative 2e-6, up to 1e-1 at a critical angle
 // cost    37 operations
 // source  Fresnel 1823
 fn dielectric(n_i: f32, n_t: f32, cos_i: f32) -> f32 {
@@ -471,7 +471,7 @@ fn dielectric(n_i: f32, n_t: f32, cos_i: f32) -> f32 {
 // n_i     index in front of the surface, [0.01, 100]
 // n_t     index behind it, [0.001, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   rounding only, in float relative 2e-6, up to 6e-2 at a critical angle
+// error   rounding only, in float relative 2e-6, up to 1e-1 at a critical angle
 // cost    37 operations
 // source  Fresnel 1823
 float dielectric(float n_i, float n_t, float cos_i) {
@@ -583,7 +583,7 @@ export const conductor = /*@__PURE__*/ native(/* wgsl */ `
 // n_t     index behind it, [0.001, 1000]
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
-// error   rounding only, in float relative 2e-6, up to 6e-2 at a critical angle of k_t = 0
+// error   rounding only, in float relative 2e-6, up to 1e-1 at a critical angle of k_t = 0
 // cost    67 operations
 // source  Born and Wolf 1999, Principles of Optics, sec. 14.2
 fn conductor(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
@@ -631,7 +631,7 @@ fn conductor(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
 // n_t     index behind it, [0.001, 1000]
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
-// error   rounding only, in float relative 2e-6, up to 6e-2 at a critical angle of k_t = 0
+// error   rounding only, in float relative 2e-6, up to 1e-1 at a critical angle of k_t = 0
 // cost    67 operations
 // source  Born and Wolf 1999, Principles of Optics, sec. 14.2
 float conductor(float n_i, float n_t, float k_t, float cos_i) {
@@ -716,7 +716,7 @@ export const dielectricFast = /*@__PURE__*/ native(/* wgsl */ `
 // n_i     index in front of the surface, [0.01, 100]
 // n_t     index behind it, [0.001, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   rounding only, in float relative 4e-6 for eta > 1.05, no digit left at 1 +- 1e-6
+// error   rounding only, in float relative 8e-6 for eta > 1.05, no digit left at 1 +- 1e-6
 // cost    31 operations
 // source  Cook and Torrance 1982
 fn dielectric_fast(n_i: f32, n_t: f32, cos_i: f32) -> f32 {
@@ -742,7 +742,7 @@ fn dielectric_fast(n_i: f32, n_t: f32, cos_i: f32) -> f32 {
 // n_i     index in front of the surface, [0.01, 100]
 // n_t     index behind it, [0.001, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   rounding only, in float relative 4e-6 for eta > 1.05, no digit left at 1 +- 1e-6
+// error   rounding only, in float relative 8e-6 for eta > 1.05, no digit left at 1 +- 1e-6
 // cost    31 operations
 // source  Cook and Torrance 1982
 float dielectric_fast(float n_i, float n_t, float cos_i) {
@@ -808,7 +808,7 @@ export const conductorFast = /*@__PURE__*/ native(/* wgsl */ `
 // n_t     index behind it, [0.001, 1000]
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
-// error   rounding only, in float relative 3e-6 for metals, 1e-4 for dielectrics, no digit left near an index match
+// error   rounding only, in float relative 6e-6 for metals, 2e-4 for dielectrics, no digit left near an index match
 // cost    50 operations
 // source  Lagarde 2013, Memo on Fresnel equations, after Shirley
 fn conductor_fast(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
@@ -842,7 +842,7 @@ fn conductor_fast(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
 // n_t     index behind it, [0.001, 1000]
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
-// error   rounding only, in float relative 3e-6 for metals, 1e-4 for dielectrics, no digit left near an index match
+// error   rounding only, in float relative 6e-6 for metals, 2e-4 for dielectrics, no digit left near an index match
 // cost    50 operations
 // source  Lagarde 2013, Memo on Fresnel equations, after Shirley
 float conductor_fast(float n_i, float n_t, float k_t, float cos_i) {
@@ -945,7 +945,7 @@ export const conductorPrecise = /*@__PURE__*/ native(/* wgsl */ `
 // n_t     index behind it, [0.001, 1000]
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
-// error   rounding only, in float relative 1e-6
+// error   rounding only, in float relative 1e-6 in R, absolute 1e-6 in T
 // cost    304 operations
 // source  Born and Wolf 1999; Knuth 1969; Dekker 1971
 fn conductor_precise(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
@@ -1007,7 +1007,7 @@ fn conductor_precise(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
 // n_t     index behind it, [0.001, 1000]
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
-// error   rounding only, in float relative 1e-6
+// error   rounding only, in float relative 1e-6 in R, absolute 1e-6 in T
 // cost    304 operations
 // source  Born and Wolf 1999; Knuth 1969; Dekker 1971
 float conductor_precise(float n_i, float n_t, float k_t, float cos_i) {
@@ -1245,7 +1245,7 @@ export const schlickPower = /*@__PURE__*/ native(/* wgsl */ `
 // f90     reflectance at grazing incidence, [0, 1]
 // power   sharpness of the rise, [0.1, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.123, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0968, certified for measured built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    13 operations
 // source  Real-Time Rendering, 4th ed., eq. 9.18
 fn schlick_power(f0: f32, f90: f32, power: f32, cos_i: f32) -> f32 {
@@ -1261,7 +1261,7 @@ fn schlick_power(f0: f32, f90: f32, power: f32, cos_i: f32) -> f32 {
 // f90     reflectance at grazing incidence, [0, 1]
 // power   sharpness of the rise, [0.1, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.123, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0968, certified for measured built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    13 operations
 // source  Real-Time Rendering, 4th ed., eq. 9.18
 float schlick_power(float f0, float f90, float power, float cos_i) {
@@ -1312,7 +1312,7 @@ export const schlickNk = /*@__PURE__*/ native(/* wgsl */ `
 // n       index relative to the medium in front, [0.001, 1000]
 // k       its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.255, certified for n in [0.1, 4], k in [1, 8]
+// error   at most 0.256, certified for n in [0.1, 4], k in [1, 8]
 // cost    19 operations
 // source  Lazanyi and Szirmay-Kalos 2005, Fresnel Term Approximations for Metals
 fn schlick_nk(n: f32, k: f32, cos_i: f32) -> f32 {
@@ -1331,7 +1331,7 @@ fn schlick_nk(n: f32, k: f32, cos_i: f32) -> f32 {
 // n       index relative to the medium in front, [0.001, 1000]
 // k       its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.255, certified for n in [0.1, 4], k in [1, 8]
+// error   at most 0.256, certified for n in [0.1, 4], k in [1, 8]
 // cost    19 operations
 // source  Lazanyi and Szirmay-Kalos 2005, Fresnel Term Approximations for Metals
 float schlick_nk(float n, float k, float cos_i) {
@@ -1475,7 +1475,7 @@ export const sphericalGaussian = /*@__PURE__*/ native(/* wgsl */ `
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0846, certified for eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0847, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    10 operations
 // source  Lagarde 2012, Spherical Gaussian approximation for Blinn-Phong, Phong and Fresnel
 fn spherical_gaussian(f0: f32, cos_i: f32) -> f32 {
@@ -1489,7 +1489,7 @@ fn spherical_gaussian(f0: f32, cos_i: f32) -> f32 {
 //
 // f0      reflectance at normal incidence, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0846, certified for eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.0847, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    10 operations
 // source  Lagarde 2012, Spherical Gaussian approximation for Blinn-Phong, Phong and Fresnel
 float spherical_gaussian(float f0, float cos_i) {
@@ -1836,7 +1836,7 @@ export const oneMinusCos = /*@__PURE__*/ native(/* wgsl */ `
 //   F = 1 - cos_i
 //
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.542, certified for eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.543, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    1 operations
 // source  Wloka 2002, Fresnel Reflection, fig. 4
 fn one_minus_cos(cos_i: f32) -> f32 {
@@ -1848,7 +1848,7 @@ fn one_minus_cos(cos_i: f32) -> f32 {
 //   F = 1 - cos_i
 //
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.542, certified for eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.543, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    1 operations
 // source  Wloka 2002, Fresnel Reflection, fig. 4
 float one_minus_cos(float cos_i) {
@@ -1935,7 +1935,7 @@ export const airConductor = /*@__PURE__*/ native(/* wgsl */ `
 // n       index relative to the medium in front, [0.001, 1000]
 // k       its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0638, certified for n in [0.1, 4], k in [1, 8]
+// error   at most 0.0639, certified for n in [0.1, 4], k in [1, 8]
 // cost    26 operations
 // source  Pharr and Humphreys, Physically Based Rendering; Lagarde 2013
 fn air_conductor(n: f32, k: f32, cos_i: f32) -> f32 {
@@ -1959,7 +1959,7 @@ fn air_conductor(n: f32, k: f32, cos_i: f32) -> f32 {
 // n       index relative to the medium in front, [0.001, 1000]
 // k       its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0638, certified for n in [0.1, 4], k in [1, 8]
+// error   at most 0.0639, certified for n in [0.1, 4], k in [1, 8]
 // cost    26 operations
 // source  Pharr and Humphreys, Physically Based Rendering; Lagarde 2013
 float air_conductor(float n, float k, float cos_i) {
@@ -2036,7 +2036,7 @@ export const lazanyi = /*@__PURE__*/ native(/* wgsl */ `
 // a       depth of the dip, about 2 n, [0, 2000]
 // alpha   sharpness of the dip, [0.1, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.045, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0451, certified for measured built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    33 operations
 // source  Lazanyi and Szirmay-Kalos 2005, Fresnel Term Approximations for Metals
 fn lazanyi(n: f32, k: f32, a: f32, alpha: f32, cos_i: f32) -> f32 {
@@ -2058,7 +2058,7 @@ fn lazanyi(n: f32, k: f32, a: f32, alpha: f32, cos_i: f32) -> f32 {
 // a       depth of the dip, about 2 n, [0, 2000]
 // alpha   sharpness of the dip, [0.1, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.045, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0451, certified for measured built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    33 operations
 // source  Lazanyi and Szirmay-Kalos 2005, Fresnel Term Approximations for Metals
 float lazanyi(float n, float k, float a, float alpha, float cos_i) {
@@ -2126,7 +2126,7 @@ export const gulbrandsen = /*@__PURE__*/ native(/* wgsl */ `
 // r       reflectance at normal incidence, [0, 1]
 // g       edge tint, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 1e-13, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   rounding only, in float 3e-7 for r in [0.02, 0.99]
 // cost    96 operations
 // source  Gulbrandsen 2014, Artist Friendly Metallic Fresnel
 fn gulbrandsen(r: f32, g: f32, cos_i: f32) -> f32 {
@@ -2187,7 +2187,7 @@ fn gulbrandsen(r: f32, g: f32, cos_i: f32) -> f32 {
 // r       reflectance at normal incidence, [0, 1]
 // g       edge tint, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 1e-13, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   rounding only, in float 3e-7 for r in [0.02, 0.99]
 // cost    96 operations
 // source  Gulbrandsen 2014, Artist Friendly Metallic Fresnel
 float gulbrandsen(float r, float g, float cos_i) {
@@ -2282,7 +2282,7 @@ export const f82 = /*@__PURE__*/ native(/* wgsl */ `
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0517, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0406, certified for measured built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    17 operations
 // source  Hoffman 2019, Fresnel Equations Considered Harmful
 fn f82(f0: f32, f82_: f32, cos_i: f32) -> f32 {
@@ -2302,7 +2302,7 @@ fn f82(f0: f32, f82_: f32, cos_i: f32) -> f32 {
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0517, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0406, certified for measured built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    17 operations
 // source  Hoffman 2019, Fresnel Equations Considered Harmful
 float f82(float f0, float f82_, float cos_i) {
@@ -2368,7 +2368,7 @@ export const f82Tint = /*@__PURE__*/ native(/* wgsl */ `
 // f0      reflectance at normal incidence, [0, 1]
 // tint    f82 over that of Schlick, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0517, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0451, certified for measured built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    18 operations
 // source  Kutz, Hasan and Edmondson 2021, Novel aspects of the Adobe Standard Material
 fn f82_tint(f0: f32, tint: f32, cos_i: f32) -> f32 {
@@ -2388,7 +2388,7 @@ fn f82_tint(f0: f32, tint: f32, cos_i: f32) -> f32 {
 // f0      reflectance at normal incidence, [0, 1]
 // tint    f82 over that of Schlick, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0517, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0451, certified for measured built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    18 operations
 // source  Kutz, Hasan and Edmondson 2021, Novel aspects of the Adobe Standard Material
 float f82_tint(float f0, float tint, float cos_i) {
@@ -2456,7 +2456,7 @@ export const hoffman = /*@__PURE__*/ native(/* wgsl */ `
 // f90     reflectance at grazing incidence, [0, 1]
 // power   sharpness of the rise, [0.1, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0184, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0185, certified for measured built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    34 operations
 // source  Hoffman 2019, Fresnel Equations Considered Harmful; MaterialX
 fn hoffman(f0: f32, f82: f32, f90: f32, power: f32, cos_i: f32) -> f32 {
@@ -2477,7 +2477,7 @@ fn hoffman(f0: f32, f82: f32, f90: f32, power: f32, cos_i: f32) -> f32 {
 // f90     reflectance at grazing incidence, [0, 1]
 // power   sharpness of the rise, [0.1, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0184, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0185, certified for measured built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    34 operations
 // source  Hoffman 2019, Fresnel Equations Considered Harmful; MaterialX
 float hoffman(float f0, float f82, float f90, float power, float cos_i) {
@@ -2541,7 +2541,7 @@ export const powers412 = /*@__PURE__*/ native(/* wgsl */ `
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0342, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0216, certified for measured built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    16 operations
 // source  this library
 fn powers_4_12(f0: f32, f82: f32, cos_i: f32) -> f32 {
@@ -2561,7 +2561,7 @@ fn powers_4_12(f0: f32, f82: f32, cos_i: f32) -> f32 {
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0342, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0216, certified for measured built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    16 operations
 // source  this library
 float powers_4_12(float f0, float f82, float cos_i) {
@@ -2627,7 +2627,7 @@ export const powers2816 = /*@__PURE__*/ native(/* wgsl */ `
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0357, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0358, certified for measured built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    23 operations
 // source  this library
 fn powers_2_8_16(f0: f32, f82: f32, cos_i: f32) -> f32 {
@@ -2650,7 +2650,7 @@ fn powers_2_8_16(f0: f32, f82: f32, cos_i: f32) -> f32 {
 // f0      reflectance at normal incidence, [0, 1]
 // f82     reflectance at cos_i = 1/7, 81.8 degrees, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0357, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0358, certified for measured built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    23 operations
 // source  this library
 float powers_2_8_16(float f0, float f82, float cos_i) {
@@ -2726,7 +2726,7 @@ export const biasScalePower = /*@__PURE__*/ native(/* wgsl */ `
 // scale   strength of the rim, [-10, 10]
 // power   sharpness of the rise, [0.1, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.275, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.147, certified for measured built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    14 operations
 // source  Fernando and Kilgard 2003, The Cg Tutorial, ch. 7; Halladay 2014, Fresnel Shading
 fn bias_scale_power(bias: f32, scale: f32, power: f32, cos_i: f32) -> f32 {
@@ -2741,7 +2741,7 @@ fn bias_scale_power(bias: f32, scale: f32, power: f32, cos_i: f32) -> f32 {
 // scale   strength of the rim, [-10, 10]
 // power   sharpness of the rise, [0.1, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.275, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.147, certified for measured built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    14 operations
 // source  Fernando and Kilgard 2003, The Cg Tutorial, ch. 7; Halladay 2014, Fresnel Shading
 float bias_scale_power(float bias, float scale, float power, float cos_i) {

@@ -23,8 +23,15 @@ double least_reflectance_cosine(double n_i, double n_t, double k_t) {
 
 boundary_angles angles_of(double n_i, double n_t, double k_t) {
     const auto at = [&](double c) { return conductor(n_i, n_t, k_t, c).reflectance(); };
-    boundary_angles result{
-        at(1), at(ratio<double, 1, 7>()), {}, {}, {}, {}, {}, hemispherical_average(n_i, n_t, k_t), {}};
+    boundary_angles result{normal_reflectance(n_i, n_t, k_t),
+                           at(ratio<double, 1, 7>()),
+                           {},
+                           {},
+                           {},
+                           {},
+                           {},
+                           hemispherical_average(n_i, n_t, k_t),
+                           {}};
     const bool transparent = k_t == 0;
     if (transparent) result.average_inside = hemispherical_average(n_t, n_i, 0);
     if (transparent && n_i == n_t) return result;

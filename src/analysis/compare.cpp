@@ -50,10 +50,11 @@ curve_error error_of(const std::vector<rgb>& model, const rgb_curve& exact) {
 
 curve_error schlick_error(const material& substance, color_space space) {
     const rgb_curve exact = exact_curve(substance, space, 1);
-    const rgb& f0 = exact.value.front();
-    std::vector<rgb> model;
-    for (const double c : exact.cos_i)
-        model.push_back({schlick(f0[0], c), schlick(f0[1], c), schlick(f0[2], c)});
+    const rgb &f0 = exact.value.front(), white = white_of(space);
+    std::vector<rgb> model(exact.cos_i.size());
+    for (std::size_t a = 0; a < model.size(); ++a)
+        for (std::size_t i = 0; i < 3; ++i)
+            model[a][i] = white[i] * schlick(f0[i] / white[i], exact.cos_i[a]);
     return error_of(model, exact);
 }
 
@@ -90,11 +91,12 @@ fitted_f82 fit_f82_of(std::string_view name, const std::array<channel, 3>& chann
 model_fit fit_model(std::string_view name, const std::array<channel, 3>& channels,
                     const std::array<edge_tint, 3>& tints, const rgb_curve& exact) {
     model_fit result{std::string(name), {}, std::vector<rgb>(exact.cos_i.size()), {}, {}, 0, 0};
+    const rgb white = white_of(exact.space);
     for (std::size_t i = 0; i < 3; ++i) {
         result.values[i] = fit(name, channels[i], tints[i]);
         const std::vector<double> R = evaluate(name, result.values[i], exact.cos_i);
         for (std::size_t a = 0; a < R.size(); ++a)
-            result.curve[a][i] = R[a];
+            result.curve[a][i] = white[i] * R[a];
     }
     result.error = error_of(result.curve, exact);
     if (name == "f82" || name == "powers_4_12" || name == "powers_2_8_16")
@@ -131,13 +133,16 @@ std::size_t recommend(const std::vector<model_fit>& models) {
     return static_cast<std::size_t>(std::min_element(models.begin(), models.end(), less) - models.begin());
 }
 
-constexpr std::array<std::string_view, 3> channel_names = {"red", "green", "blue"};
+std::string_view channel_name(color_space space, std::size_t i) {
+    constexpr std::array<std::string_view, 3> colours = {"red", "green", "blue"}, xyz = {"X", "Y", "Z"};
+    return space == color_space::xyz ? xyz[i] : colours[i];
+}
 
-std::string loss(const model_fit& m) {
+std::string loss(const model_fit& m, color_space space) {
     const std::size_t i = m.error.worst_channel();
     if (m.error.max[i] < 5e-4) return "exact to three decimals";
-    return fmt::format("off by at most {:.3f}, in {} at {:.0f}°, ΔE {:.1f}", m.error.max[i], channel_names[i],
-                       m.error.max_theta[i], m.error.delta_e_max);
+    return fmt::format("off by at most {:.3f}, in {} at {:.0f}°, ΔE {:.1f}", m.error.max[i],
+                       channel_name(space, i), m.error.max_theta[i], m.error.delta_e_max);
 }
 
 } // namespace
@@ -161,7 +166,8 @@ comparison compare(const material& substance, color_space space, double ambient)
     std::array<channel, 3> channels;
     std::array<edge_tint, 3> tints{};
     for (std::size_t i = 0; i < 3; ++i) {
-        channels[i] = channel_of(result.exact, result.colour.f0, result.colour.f82, ambient, i);
+        channels[i] =
+            channel_of(result.exact, result.colour.f0, result.colour.f82, ambient, i, white_of(space));
         tints[i] = fit_gulbrandsen(channels[i]);
     }
     for (const std::string_view name : models_for(result.surface))
@@ -173,19 +179,20 @@ comparison compare(const material& substance, color_space space, double ambient)
 
 std::string verdict(const comparison& result) {
     const model_fit& best = result.best_choice();
+    const color_space space = result.colour.space;
     const double seen = best.error.delta_e_max;
-    std::string text = fmt::format("Use {}: it is {}, which is {}", best.name, loss(best),
+    std::string text = fmt::format("Use {}: it is {}, which is {}", best.name, loss(best, space),
                                    seen <= invisible ? "not seen"
                                    : seen <= slight  ? "barely seen"
                                                      : "seen");
     const model_fit* schlick = result.find("schlick");
     if (schlick != nullptr && schlick != &best)
-        text += fmt::format("; Schlick's would be {}", loss(*schlick));
+        text += fmt::format("; Schlick's would be {}", loss(*schlick, space));
     text += ".";
-    if (!in_gamut(result.colour.f0))
+    if (space != color_space::xyz && !in_gamut(result.colour.f0))
         text +=
             fmt::format(" Its F0 lies outside {}, which no model in [0, 1] can follow: compare in acescg.",
-                        to_string(result.colour.space));
+                        to_string(space));
     return text;
 }
 

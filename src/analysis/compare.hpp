@@ -40,7 +40,7 @@ struct fitted_f82 {
 /// One model fitted to a material.
 struct model_fit {
     std::string name;
-    std::array<parameters, 3> values; ///< per channel, in the order of the registry row
+    std::array<parameters, 3> values; ///< per channel, as parts of white, in the order of the registry row
     std::vector<rgb> curve;           ///< the model at the exact curve's angles
     curve_error error;
     std::optional<fitted_f82> least_squares; ///< of f82, powers_4_12 and powers_2_8_16

@@ -9,10 +9,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace fresnel {
+
+namespace {} // namespace
+
+optical_index used_index(const material& substance, double wavelength_nm) {
+    const optical_index index = index_at(substance, wavelength_nm);
+    if (std::isfinite(index.n) && std::isfinite(index.k)) return index;
+    throw bad_input(fmt::format("material '{}': has no index at {} nm, where its formula has a pole",
+                                substance.name, wavelength_nm));
+}
 
 namespace {
 
@@ -22,7 +32,7 @@ struct index_spectrum {
 
     index_spectrum(const material& substance, const std::vector<double>& wavelength_nm) {
         for (const double nm : wavelength_nm)
-            at.push_back(index_at(substance, nm));
+            at.push_back(used_index(substance, nm));
     }
     std::vector<double> reflectance(double ambient, double cos_i,
                                     polarization which = polarization::mean) const {
@@ -83,21 +93,53 @@ rgb colour_at(const material& substance, color_space space, double ambient, doub
     return exact_colours(substance, space, ambient, {cos_i}).front();
 }
 
-normal_colour colour_at_normal(const material& substance, color_space space, double ambient) {
+namespace {
+
+/// What a gamut policy makes of the colours of a surface with that f0, as parts of white.
+class gamut_limit {
+public:
+    gamut_limit(gamut policy, const rgb& f0, const rgb& white) : policy_(policy), white_(white) {
+        if (policy != gamut::divide) return;
+        for (std::size_t i = 0; i < 3; ++i)
+            factor_ = std::max(factor_, f0[i] / white[i]);
+    }
+    rgb operator()(rgb color) const {
+        if (policy_ == gamut::none) return color;
+        for (std::size_t i = 0; i < 3; ++i)
+            color[i] = std::clamp(color[i] / (white_[i] * factor_), 0.0, 1.0) * white_[i];
+        return color;
+    }
+
+private:
+    gamut policy_;
+    rgb white_;
+    double factor_ = 1;
+};
+
+} // namespace
+
+normal_colour colour_at_normal(const material& substance, color_space space, double ambient, gamut policy) {
     const recipe& how = default_recipe(space);
     const index_spectrum indices(substance, how.wavelength_nm);
-    normal_colour result{substance.name, substance.page, space, ambient, {}, {}, {}, {}, {}, {}, how.text};
-    result.f0 = colour_at(substance, space, ambient, 1);
-    result.f82 = colour_at(substance, space, ambient, ratio<double, 1, 7>());
+    normal_colour result{
+        substance.name, substance.page, space, ambient, {}, {}, {}, {}, {}, {}, how.text, true};
+    const rgb white = white_of(space), f0 = colour_at(substance, space, ambient, 1);
+    const gamut_limit limited(policy, f0, white);
+    result.in_gamut = in_gamut({f0[0] / white[0], f0[1] / white[1], f0[2] / white[2]});
+    result.f0 = limited(f0);
+    result.f82 = limited(colour_at(substance, space, ambient, ratio<double, 1, 7>()));
     std::vector<double> average;
     for (const optical_index& index : indices.at)
         average.push_back(hemispherical_average(ambient, index.n, index.k));
-    result.average = integrate(how, average);
+    result.average = limited(integrate(how, average));
 
-    const rgb_curve exact = exact_curve(substance, space, ambient, 1);
+    rgb_curve exact = exact_curve(substance, space, ambient, 1);
+    for (rgb& color : exact.value)
+        color = limited(color);
     for (std::size_t i = 0; i < 3; ++i) {
-        result.f82_tint[i] = result.f82[i] / schlick(result.f0[i], ratio<double, 1, 7>());
-        const edge_tint tint = fit_gulbrandsen(channel_of(exact, result.f0, result.f82, ambient, i));
+        const channel one = channel_of(exact, result.f0, result.f82, ambient, i, white);
+        result.f82_tint[i] = one.f82 / schlick(one.f0, ratio<double, 1, 7>());
+        const edge_tint tint = fit_gulbrandsen(one);
         result.gulbrandsen_r[i] = tint.r, result.gulbrandsen_g[i] = tint.g;
     }
     return result;

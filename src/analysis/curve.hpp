@@ -18,6 +18,9 @@ double degrees(double radians);
 double cosine_of_degrees(double theta_deg);
 double degrees_of_cosine(double cos_i);
 
+/// The index of a material at a wavelength that is used. Throws bad_input where it has none, at a pole of its formula.
+optical_index used_index(const material& substance, double wavelength_nm);
+
 /// Which reflectance: that of unpolarised light, (R_s + R_p) / 2, or one of the two.
 enum class polarization { mean, s, p };
 
@@ -61,12 +64,16 @@ struct normal_colour {
     color_space space;
     double ambient;
     rgb f0, f82;
-    rgb f82_tint; ///< f82 / schlick(f0, 1/7)
-    rgb gulbrandsen_r, gulbrandsen_g;
-    rgb average; ///< hemispherical: the integral of R 2 c dc
+    rgb f82_tint;                     ///< f82 / schlick(f0, 1/7), both as parts of white
+    rgb gulbrandsen_r, gulbrandsen_g; ///< r as a part of white
+    rgb average;                      ///< hemispherical: the integral of R 2 c dc
     std::string recipe;
+    bool in_gamut; ///< whether f0 needed no limit
 };
 
-normal_colour colour_at_normal(const material& substance, color_space space, double ambient);
+/// policy   limits f0 and, alike, everything else: `divide` divides all by f0's one factor, and tint, r and g are those
+///          of the limited curve
+normal_colour colour_at_normal(const material& substance, color_space space, double ambient,
+                               gamut policy = gamut::none);
 
 } // namespace fresnel

@@ -288,10 +288,11 @@ parameters fit_with(std::string_view model, const channel& exact, const Tint& ti
 
 } // namespace
 
-channel channel_of(const rgb_curve& exact, const rgb& f0, const rgb& f82, double ambient, std::size_t i) {
-    channel result{exact.theta_deg, exact.cos_i, {}, f0[i], f82[i], ambient};
+channel channel_of(const rgb_curve& exact, const rgb& f0, const rgb& f82, double ambient, std::size_t i,
+                   const rgb& white) {
+    channel result{exact.theta_deg, exact.cos_i, {}, f0[i] / white[i], f82[i] / white[i], ambient};
     for (const rgb& value : exact.value)
-        result.R.push_back(value[i]);
+        result.R.push_back(value[i] / white[i]);
     return result;
 }
 

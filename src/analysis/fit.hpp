@@ -16,8 +16,10 @@ struct channel {
     double ambient;                       ///< index of the ambient medium
 };
 
-/// Channel i of a curve whose colours at cos_i = 1 and 1/7 are f0 and f82.
-channel channel_of(const rgb_curve& exact, const rgb& f0, const rgb& f82, double ambient, std::size_t i);
+/// Channel i of a curve whose colours at cos_i = 1 and 1/7 are f0 and f82, as parts of `white`: models are made for
+/// reflectances up to 1, and XYZ's white is not (1, 1, 1).
+channel channel_of(const rgb_curve& exact, const rgb& f0, const rgb& f82, double ambient, std::size_t i,
+                   const rgb& white = {1, 1, 1});
 
 /// A single wavelength as a channel, in air: the exact reflectance of n and k every quarter of a degree.
 channel channel_of(const optical_index& index);

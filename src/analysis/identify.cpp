@@ -194,7 +194,7 @@ std::string_view class_of_f0(double luminance) {
 }
 
 rgb grey(double reflectance, color_space space) {
-    const rgb white = space == color_space::xyz ? default_recipe(space).white : rgb{1, 1, 1};
+    const rgb white = white_of(space);
     return {reflectance * white[0], reflectance * white[1], reflectance * white[2]};
 }
 

@@ -141,9 +141,10 @@ public:
     std::vector<rgb> reflectance(const plot_subject& s, family_value value, polarization which) const {
         if (s.substance) return of_material(*s.substance, which);
         const channel_values parameters = values_of(s, value);
+        const rgb white = white_for(s);
         std::vector<rgb> R;
         for (const double c : cos_i)
-            R.push_back(of_model(*s.model, parameters, c, which));
+            R.push_back(of_model(*s.model, parameters, c, which, white));
         return R;
     }
 
@@ -196,18 +197,29 @@ private:
         return R;
     }
 
+    // The colour that stands for R = 1: of the space for a material's colours and for models that are fitted to or
+    // compared with them; else 1, a reflectance without colour.
+    rgb white_for(const plot_subject& s) const {
+        if (asked_.wavelength_nm) return {1, 1, 1};
+        const plot_subject* target = target_of(s);
+        if (s.substance || (target == nullptr && asked_.reference && asked_.reference->substance))
+            return white_of(asked_.space);
+        return target == nullptr ? rgb{1, 1, 1} : white_for(*target);
+    }
+
     static rgb of_model(const model_row<double>& model, const channel_values& values, double c,
-                        polarization which) {
+                        polarization which, const rgb& white) {
         rgb R{};
         for (std::size_t i = 0; i < 3; ++i)
             R[i] = i > 0 && values[i] == values[0]
                        ? R[0]
                        : reflectance_of(model.evaluate(values[i].data(), c), which);
-        return R;
+        return {white[0] * R[0], white[1] * R[1], white[2] * R[2]};
     }
 
     rgb at_cosine(const plot_subject& s, family_value value, double c) const {
-        if (s.model != nullptr) return of_model(*s.model, values_of(s, value), c, polarization::mean);
+        if (s.model != nullptr)
+            return of_model(*s.model, values_of(s, value), c, polarization::mean, white_for(s));
         if (!asked_.wavelength_nm) return colour_at(*s.substance, asked_.space, asked_.ambient, c);
         const optical_index index = index_at(*s.substance, *asked_.wavelength_nm);
         const double R = conductor(asked_.ambient, index.n, index.k, c).reflectance();
@@ -233,9 +245,10 @@ private:
         const bool grey_target = std::all_of(exact.value.begin(), exact.value.end(), is_grey);
         channel_values values;
         for (std::size_t i = 0; i < 3; ++i)
-            values[i] = i > 0 && grey_target
-                            ? values[0]
-                            : fit(model, channel_of(exact, f0, f82, ambient_of(target, value), i));
+            values[i] =
+                i > 0 && grey_target
+                    ? values[0]
+                    : fit(model, channel_of(exact, f0, f82, ambient_of(target, value), i, white_for(target)));
         return values;
     }
 

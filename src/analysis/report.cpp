@@ -4,11 +4,13 @@
 #include "analysis/drawing.hpp"
 #include "analysis/pareto.hpp"
 #include "figure/figure.hpp"
+#include "figure/leftover.hpp"
 #include "figure/page.hpp"
 #include "materials/observer.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -121,8 +123,20 @@ figure surface_figure(const report_entry& entry, const std::string& name) {
             spectral_height_field(entry.substance, entry.result.colour.ambient)};
 }
 
-std::vector<figure> figures_of(const report_entry& entry) {
-    const std::string name = slug(entry.substance.name);
+// A name for the files of each entry: that of the material, numbered where two files of a folder each have one.
+std::vector<std::string> slugs_of(const std::vector<report_entry>& entries) {
+    std::vector<std::string> slugs;
+    for (const report_entry& entry : entries) {
+        const std::string plain = slug(entry.substance.name);
+        std::string one = plain;
+        for (int i = 2; std::ranges::find(slugs, one) != slugs.end(); ++i)
+            one = fmt::format("{}-{}", plain, i);
+        slugs.push_back(one);
+    }
+    return slugs;
+}
+
+std::vector<figure> figures_of(const report_entry& entry, const std::string& name) {
     return {curves_figure(entry, name), errors_figure(entry, name),
             pareto_figure(entry.result, name + "-cost", entry.substance.name + ": error against cost"),
             strips_figure(entry, name), surface_figure(entry, name)};
@@ -186,12 +200,12 @@ std::string provenance(const report_entry& entry) {
     return fmt::format("{}. {}", text, markup_text(m.quality));
 }
 
-std::string section(const report_entry& entry, const std::vector<figure>& figures, const std::string& dir) {
+std::string section(const report_entry& entry, const std::string& name, const std::vector<figure>& figures,
+                    const std::string& dir) {
     const comparison& r = entry.result;
     const rgb8 codes = encode_srgb8(to_srgb(r.colour.f0, r.colour.space));
-    std::string html =
-        fmt::format("<section id=\"{}\"><h2>{}</h2>\n<p class=\"verdict\">{}</p>\n",
-                    slug(entry.substance.name), markup_text(entry.substance.name), markup_text(verdict(r)));
+    std::string html = fmt::format("<section id=\"{}\"><h2>{}</h2>\n<p class=\"verdict\">{}</p>\n", name,
+                                   markup_text(entry.substance.name), markup_text(verdict(r)));
     html +=
         fmt::format("<p>{} F0 = {}, F82 = {}, {}{}</p>\n<p class=\"soft\">{}. Ambient index {}. {}</p>\n",
                     swatch(r), three(r.colour.f0, 4), three(r.colour.f82, 4), to_hex(codes),
@@ -203,16 +217,16 @@ std::string section(const report_entry& entry, const std::vector<figure>& figure
     return html + model_table_html(r) + "</section>\n";
 }
 
-std::string page(const std::vector<report_entry>& entries, const std::vector<std::vector<figure>>& figures,
-                 const std::string& dir) {
+std::string page(const std::vector<report_entry>& entries, const std::vector<std::string>& slugs,
+                 const std::vector<std::vector<figure>>& figures, const std::string& dir) {
     std::string summary, sections;
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const std::string name = markup_text(entries[i].substance.name);
         summary += fmt::format("<tr><td class=\"left\"><a href=\"#{}\">{}</a></td><td>{}</td><td "
                                "class=\"left\"><b>{}</b></td><td class=\"wrap\">{}</td></tr>\n",
-                               slug(entries[i].substance.name), name, swatch(entries[i].result),
+                               slugs[i], name, swatch(entries[i].result),
                                entries[i].result.best_choice().name, markup_text(verdict(entries[i].result)));
-        sections += section(entries[i], figures[i], dir);
+        sections += section(entries[i], slugs[i], figures[i], dir);
     }
     return html_page(
         "Which Fresnel may I use?",
@@ -242,17 +256,22 @@ nlohmann::json report_json(const std::vector<report_entry>& entries) {
 }
 
 void write_report(const std::vector<report_entry>& entries, const std::string& dir) {
-    const std::string figure_dir = (std::filesystem::path(dir) / "figures").string();
-    require_writable_folder("--out", figure_dir);
+    require_writable_folder("--out", (std::filesystem::path(dir) / "figures").string());
+    const staged_folder staged(dir);
+    const std::string figure_dir = (staged.path / "figures").string();
+    std::filesystem::create_directory(figure_dir);
     std::vector<std::vector<figure>> per_entry;
     std::vector<figure> all;
-    for (const report_entry& entry : entries) {
-        per_entry.push_back(figures_of(entry));
+    const std::vector<std::string> slugs = slugs_of(entries);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        per_entry.push_back(figures_of(entries[i], slugs[i]));
         all.insert(all.end(), per_entry.back().begin(), per_entry.back().end());
     }
     write_figures(all, figure_dir, {format::svg, format::png});
-    write_file((std::filesystem::path(dir) / "report.json").string(), report_json(entries).dump(2) + "\n");
-    write_file((std::filesystem::path(dir) / "index.html").string(), page(entries, per_entry, figure_dir));
+    write_file((staged.path / "report.json").string(),
+               report_json(entries).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+    write_file((staged.path / "index.html").string(), page(entries, slugs, per_entry, figure_dir));
+    staged.finish();
 }
 
 } // namespace fresnel

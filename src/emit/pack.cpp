@@ -4,6 +4,7 @@
 #include "emit/packs/templates.hpp"
 #include "error.hpp"
 #include "figure/figure.hpp"
+#include "figure/leftover.hpp"
 #include "files.hpp"
 
 #include <fmt/format.h>
@@ -68,15 +69,16 @@ std::vector<pack_file> all_packs() {
 }
 
 void write_packs(const std::string& folder) {
+    std::error_code error;
+    make_folders(folder, error);
+    if (error) throw failure(fmt::format("{}: cannot be made: {}", folder, error.message()));
+    const staged_folder staged(folder);
     for (const pack_file& file : all_packs()) {
-        const std::filesystem::path path = std::filesystem::path(folder) / file.path;
-        std::error_code error;
-        std::filesystem::create_directories(path.parent_path(), error);
-        if (error)
-            throw failure(
-                fmt::format("{}: cannot be made: {}", path.parent_path().string(), error.message()));
+        const std::filesystem::path path = staged.path / file.path;
+        std::filesystem::create_directories(path.parent_path());
         write_file(path.string(), file.text);
     }
+    staged.finish();
 }
 
 std::vector<std::string> check_packs(const std::string& folder) {

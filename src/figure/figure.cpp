@@ -1,6 +1,7 @@
 #include "figure/figure.hpp"
 
 #include "error.hpp"
+#include "figure/leftover.hpp"
 
 #include <fmt/format.h>
 
@@ -86,12 +87,19 @@ std::string markup_text(std::string_view text) {
 }
 
 void write_file(const std::string& path, const std::string& text) {
-    const std::string beside = fmt::format("{}.{}.part", path, getpid());
+    if (is_special(path)) {
+        std::ofstream file(path, std::ios::binary);
+        file.write(text.data(), static_cast<std::streamsize>(text.size()));
+        if (file.flush()) return;
+        throw failure(fmt::format("{}: cannot be written", path));
+    }
+    const std::string target = link_target(path), beside = fmt::format("{}.{}.part", target, getpid());
+    const leftover removed_on_signal(beside);
     {
         std::ofstream file(beside, std::ios::binary);
         file.write(text.data(), static_cast<std::streamsize>(text.size()));
         file.flush();
-        if (file && std::rename(beside.c_str(), path.c_str()) == 0) return;
+        if (file && std::rename(beside.c_str(), target.c_str()) == 0) return;
     }
     std::remove(beside.c_str());
     throw failure(fmt::format("{}: cannot be written", path));

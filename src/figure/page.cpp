@@ -2,6 +2,7 @@
 
 #include "error.hpp"
 #include "figure/figure.hpp"
+#include "figure/leftover.hpp"
 
 #include <fmt/format.h>
 
@@ -40,7 +41,7 @@ std::string html_page(const std::string& title, const std::string& body) {
 
 void require_writable_folder(const std::string& argument, const std::string& dir) {
     std::error_code error;
-    std::filesystem::create_directories(dir, error);
+    make_folders(dir, error);
     if (error || !std::filesystem::is_directory(dir) || access(dir.c_str(), W_OK | X_OK) != 0)
         throw bad_input(fmt::format("{} '{}': must be a folder that can be written into{}", argument, dir,
                                     error ? " (" + error.message() + ")" : ""));

@@ -90,6 +90,10 @@ const recipe& default_recipe(color_space space) {
     return recipes[static_cast<std::size_t>(space)];
 }
 
+rgb white_of(color_space space) {
+    return space == color_space::xyz ? default_recipe(space).white : rgb{1, 1, 1};
+}
+
 std::string recipe_text(color_space space, gamut policy) {
     return default_recipe(space).text + ", gamut " + std::string(to_string(policy));
 }

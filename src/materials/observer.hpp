@@ -9,6 +9,9 @@ namespace fresnel {
 /// of the ACES white, adapted by Bradford to AP1's white. Built on the first call.
 const recipe& default_recipe(color_space space);
 
+/// The colour of a perfect reflector by the default recipe: (1, 1, 1), and in XYZ that of its illuminant.
+rgb white_of(color_space space);
+
 /// The line that accompanies every colour made by the default recipe and limited by a policy: "CIE 1931 2°,
 /// 360–830 nm at 1 nm, D65 without adaptation, linear sRGB, gamut none".
 std::string recipe_text(color_space space, gamut policy = gamut::none);

@@ -148,8 +148,10 @@ csv_row read_row(std::string_view line, const csv_columns& columns, const place&
                       least);
         return x;
     };
-    return {value(columns.wavelength, "wavelength_nm", 0, true), value(columns.n, "n", 0, false),
-            columns.k < 0 ? 0 : value(columns.k, "k", 0, false), at.line};
+    const csv_row row{value(columns.wavelength, "wavelength_nm", 0, true), value(columns.n, "n", 0, false),
+                      columns.k < 0 ? 0 : value(columns.k, "k", 0, false), at.line};
+    if (row.n == 0 && row.k == 0) at.fail("n and k are both 0, the index of nothing; one must be above 0");
+    return row;
 }
 
 void refuse_repeated(const std::vector<csv_row>& rows, const std::string& file) {

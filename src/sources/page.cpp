@@ -1,5 +1,6 @@
 #include "sources/sources.hpp"
 
+#include "figure/leftover.hpp"
 #include "figure/page.hpp"
 
 #include <fmt/format.h>
@@ -122,12 +123,14 @@ void write_source_figures(const std::vector<const source_figure*>& wanted, const
         made.back().drawing.id = entry->id, made.back().drawing.title = entry->title;
         drawings.push_back(made.back().drawing);
     }
-    write_figures(drawings, dir, {format::svg, format::png});
-    const std::filesystem::path folder(dir);
+    const staged_folder staged(dir);
+    const std::filesystem::path& folder = staged.path;
+    write_figures(drawings, folder.string(), {format::svg, format::png});
     for (std::size_t i = 0; i < wanted.size(); ++i)
         write_file((folder / (wanted[i]->id + ".json")).string(),
                    to_json(*wanted[i], made[i]).dump(2) + "\n");
-    write_file((folder / "index.html").string(), index_page(wanted, made, dir));
+    write_file((folder / "index.html").string(), index_page(wanted, made, folder.string()));
+    staged.finish();
 }
 
 } // namespace fresnel

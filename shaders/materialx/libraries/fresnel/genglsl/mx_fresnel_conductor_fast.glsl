@@ -10,7 +10,7 @@
 // n_t     index behind it, [0.001, 1000]
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
-// error   rounding only, in float relative 3e-6 for metals, 1e-4 for dielectrics, no digit left near an index match
+// error   rounding only, in float relative 6e-6 for metals, 2e-4 for dielectrics, no digit left near an index match
 // cost    50 operations
 // source  Lagarde 2013, Memo on Fresnel equations, after Shirley
 float fresnel_conductor_fast(float n_i, float n_t, float k_t, float cos_i) {

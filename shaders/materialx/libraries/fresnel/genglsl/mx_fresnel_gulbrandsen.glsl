@@ -8,7 +8,7 @@
 // r       reflectance at normal incidence, [0, 1]
 // g       edge tint, [0, 1]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 1e-13, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   rounding only, in float 3e-7 for r in [0.02, 0.99]
 // cost    96 operations
 // source  Gulbrandsen 2014, Artist Friendly Metallic Fresnel
 float fresnel_gulbrandsen(float r, float g, float cos_i) {

@@ -10,7 +10,7 @@
 // f90     reflectance at grazing incidence, [0, 1]
 // power   sharpness of the rise, [0.1, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.0184, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0185, certified for measured built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    34 operations
 // source  Hoffman 2019, Fresnel Equations Considered Harmful; MaterialX
 float fresnel_hoffman(float f0, float f82, float f90, float power, float cos_i) {

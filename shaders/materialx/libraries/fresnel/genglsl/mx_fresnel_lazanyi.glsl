@@ -10,7 +10,7 @@
 // a       depth of the dip, about 2 n, [0, 2000]
 // alpha   sharpness of the dip, [0.1, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.045, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0451, certified for measured built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    33 operations
 // source  Lazanyi and Szirmay-Kalos 2005, Fresnel Term Approximations for Metals
 float fresnel_lazanyi(float n, float k, float a, float alpha, float cos_i) {

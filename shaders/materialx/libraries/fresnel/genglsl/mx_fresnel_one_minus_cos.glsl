@@ -6,7 +6,7 @@
 //   F = 1 - cos_i
 //
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.542, certified for eta in [1.3, 2.5], from outside, f0 exact
+// error   at most 0.543, certified for eta in [1.3, 2.5], from outside, f0 exact
 // cost    1 operations
 // source  Wloka 2002, Fresnel Reflection, fig. 4
 float fresnel_one_minus_cos(float cos_i) {

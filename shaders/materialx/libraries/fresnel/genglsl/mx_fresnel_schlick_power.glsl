@@ -9,7 +9,7 @@
 // f90     reflectance at grazing incidence, [0, 1]
 // power   sharpness of the rise, [0.1, 1000]
 // cos_i   cosine of incidence, [0, 1]
-// error   at most 0.123, certified for built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
+// error   at most 0.0968, certified for measured built-in metals but caesium, at 450, 550 and 650 nm, parameters fitted
 // cost    13 operations
 // source  Real-Time Rendering, 4th ed., eq. 9.18
 float fresnel_schlick_power(float f0, float f90, float power, float cos_i) {

@@ -1,0 +1,193 @@
+#include "figure/leftover.hpp"
+
+#include "error.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <deque>
+#include <dirent.h>
+#include <fcntl.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+namespace fresnel {
+
+namespace {
+
+/// A registered path; empty slots have none. Slots are few and fixed, because a signal handler may not allocate.
+struct slot {
+    std::atomic<const char*> path;
+    std::atomic<leftover::extent> what;
+};
+std::array<slot, 256> slots;
+
+std::size_t fill_slot(const char* path, leftover::extent what) {
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        const char* none = nullptr;
+        if (!slots[i].path.compare_exchange_strong(none, path)) continue;
+        slots[i].what = what;
+        return i;
+    }
+    return slots.size(); // too many: only this one would stay
+}
+
+// ---- in a signal handler, where only calls that are safe there are allowed --------------------------------------
+
+void remove_all_at(int folder, const char* name);
+
+// opendir would allocate.
+void remove_content(int folder) {
+    struct entry {
+        std::uint64_t inode;
+        std::int64_t offset;
+        unsigned short size;
+        unsigned char type;
+        char name[256];
+    };
+    alignas(entry) char buffer[4096];
+    for (long size = 1; size > 0;) {
+        size = syscall(SYS_getdents64, folder, buffer, sizeof buffer);
+        for (long at = 0; at < size;) {
+            const entry* one = reinterpret_cast<const entry*>(buffer + at);
+            at += one->size;
+            if (std::strcmp(one->name, ".") != 0 && std::strcmp(one->name, "..") != 0)
+                remove_all_at(folder, one->name);
+        }
+    }
+}
+
+void remove_all_at(int parent, const char* name) {
+    const int folder = openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    if (folder < 0) {
+        unlinkat(parent, name, 0);
+        return;
+    }
+    // a program that we started may be writing still
+    for (int attempt = 0; attempt < 3; ++attempt) {
+        lseek(folder, 0, SEEK_SET);
+        remove_content(folder);
+        if (unlinkat(parent, name, AT_REMOVEDIR) == 0) break;
+    }
+    close(folder);
+}
+
+void remove_leftovers() {
+    for (slot& one : slots)
+        if (one.what == leftover::extent::all)
+            if (const char* path = one.path.exchange(nullptr)) remove_all_at(AT_FDCWD, path);
+    // folders after what was in them, and after those that were in them
+    for (bool removed = true; removed;) {
+        removed = false;
+        for (const slot& one : slots)
+            if (const char* path = one.path) removed = rmdir(path) == 0 || removed;
+    }
+}
+
+// The default action is in force again: the signal, blocked until this returns, ends the program.
+extern "C" void end_by_signal(int signal) {
+    remove_leftovers();
+    raise(signal);
+}
+
+} // namespace
+
+leftover::leftover(std::string path, extent what)
+    : path_(std::move(path)), slot_(fill_slot(path_.c_str(), what)) {}
+
+leftover::~leftover() {
+    if (slot_ == slots.size()) return;
+    // A handler on another thread has the path: the program is ending, and the text must stay for it.
+    if (slots[slot_].path.exchange(nullptr) == nullptr)
+        for (;;)
+            pause();
+}
+
+void remove_leftovers_on_signals() {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction action{};
+        sigaction(signal, nullptr, &action);
+        if (action.sa_handler == SIG_IGN) continue; // nohup
+        action.sa_handler = end_by_signal;
+        action.sa_flags = static_cast<int>(SA_RESETHAND);
+        sigfillset(&action.sa_mask);
+        sigaction(signal, &action, nullptr);
+    }
+}
+
+// ---- folders ------------------------------------------------------------------------------------------------
+
+namespace {
+
+// Deeper ones first, for as long as the program runs.
+std::deque<std::pair<std::string, leftover>>& made_folders() {
+    static std::deque<std::pair<std::string, leftover>> all;
+    return all;
+}
+
+} // namespace
+
+void make_folders(const std::filesystem::path& folder, std::error_code& error) {
+    std::deque<std::string> missing;
+    for (std::filesystem::path one = folder; !one.empty() && !std::filesystem::exists(one, error);
+         one = one.parent_path())
+        missing.push_back(one.string());
+    std::filesystem::create_directories(folder, error);
+    if (error) return;
+    for (auto one = missing.rbegin(); one != missing.rend(); ++one)
+        made_folders().emplace_front(std::piecewise_construct, std::forward_as_tuple(*one),
+                                     std::forward_as_tuple(*one, leftover::extent::empty_folder));
+}
+
+void remove_empty_folders() {
+    for (const auto& one : made_folders())
+        rmdir(one.first.c_str());
+}
+
+staged_folder::staged_folder(const std::filesystem::path& destination)
+    : path(destination / fmt::format(".fresnel.{}.part", getpid())), destination_(destination),
+      removed_on_signal_(path.string()) {
+    std::error_code error;
+    std::filesystem::create_directory(path, error);
+    if (error) throw failure(fmt::format("{}: cannot be made: {}", path.string(), error.message()));
+}
+
+staged_folder::~staged_folder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+}
+
+void staged_folder::finish() const {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(path)) {
+        const std::filesystem::path place = destination_ / entry.path().lexically_relative(path);
+        std::error_code error;
+        if (entry.is_directory())
+            make_folders(place, error);
+        else
+            std::filesystem::rename(entry.path(), link_target(place.string()), error);
+        if (error) throw failure(fmt::format("{}: cannot be written: {}", place.string(), error.message()));
+    }
+}
+
+// ---- files --------------------------------------------------------------------------------------------------
+
+std::string link_target(const std::string& path) {
+    std::filesystem::path target = path;
+    std::error_code error;
+    for (int links = 0; links < 40 && std::filesystem::is_symlink(target, error); ++links)
+        target = target.parent_path() / std::filesystem::read_symlink(target, error);
+    return target.string();
+}
+
+bool is_special(const std::string& path) {
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
+           !std::filesystem::is_directory(status);
+}
+
+} // namespace fresnel

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+// What is written aside until it is complete, and what becomes of it when the program ends before: nothing
+// half-written is left, neither by an error nor by a signal.
+
+namespace fresnel {
+
+/// A file or a folder that a signal that ends the program must take with it, while this object lives. Removing it in
+/// the ordinary course stays with its maker.
+class leftover {
+public:
+    /// What to remove: the path with all that it holds, or a folder as long as nothing is in it.
+    enum class extent { all, empty_folder };
+
+    explicit leftover(std::string path, extent what = extent::all);
+    ~leftover();
+    leftover(const leftover&) = delete;
+    leftover& operator=(const leftover&) = delete;
+
+private:
+    std::string path_;
+    std::size_t slot_;
+};
+
+/// Has SIGINT, SIGTERM and SIGHUP remove every leftover and then end the program, as they would have.
+void remove_leftovers_on_signals();
+
+/// Makes a folder and those above it. Those that were not there go again with a signal that ends the program, and by
+/// `remove_empty_folders`, unless something is in them by then.
+void make_folders(const std::filesystem::path& folder, std::error_code& error);
+void remove_empty_folders();
+
+/// Files on their way into a folder that is there: written below `path`, they take their places all at once.
+class staged_folder {
+public:
+    explicit staged_folder(const std::filesystem::path& destination);
+    ~staged_folder();
+    staged_folder(const staged_folder&) = delete;
+    staged_folder& operator=(const staged_folder&) = delete;
+
+    /// Moves everything to the destination, over what is there. Throws failure naming the file that cannot be moved.
+    void finish() const;
+
+    const std::filesystem::path path;
+
+private:
+    std::filesystem::path destination_;
+    leftover removed_on_signal_;
+};
+
+/// Where the content of a file must go: to the file that a symbolic link names, not in place of the link.
+std::string link_target(const std::string& path);
+
+/// Whether it is there and no plain file: a pipe or a device, which is written into and not replaced.
+bool is_special(const std::string& path);
+
+} // namespace fresnel
