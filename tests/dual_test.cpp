@@ -51,8 +51,9 @@ void scan(const model<N, F>& row, double allowed) {
         const bool exact = row.kind == model_kind::exact;
         if constexpr (N >= 2)
             if (exact && random.one_in(7) && row.name != "dielectric_fast") p[1] = p[0]; // an index match
-        bool grazing = exact && random.one_in(13);
-        if constexpr (N >= 2) grazing = grazing && p[0] != p[1]; // equal media have no slope there
+        bool grazing = random.one_in(13);
+        if constexpr (N >= 2)
+            grazing = grazing && !(exact && p[0] == p[1]); // equal media have no slope there
         const double c = grazing ? 0 : random.one_in(17) ? 1 : random.uniform(1e-3, 1);
         if (row.name == "conductor_fast" && p[N - 1] == 0)
             continue; // loses k at k = 0 beyond the critical angle
@@ -69,6 +70,7 @@ void scan(const model<N, F>& row, double allowed) {
                     y[i] = i == v ? at : real50(p[i]);
                 return real50(reflectance(evaluate(row, y, v == N ? at : real50(c))));
             };
+            if (v == N && c == 0 && f(real50("1e-18")) == 1) continue; // a clamp ends here, a kink
             const double truth = v == N ? difference(f, c, 0, 1)
                                         : difference(f, p[v], row.parameters[v].min, row.parameters[v].max);
             std::string input = std::string(row.name) + " by " + std::to_string(v) + ", cos_i " + digits(c);

@@ -517,6 +517,7 @@ std::vector<certificate> prove_all() {
     const auto work = [&] {
         for (std::size_t i = next++; i < names.size(); i = next++)
             results[i] = prove(names[i]);
+        mpfr_free_cache(); // each thread has one of its own
     };
     const std::size_t count = std::max(1u, std::thread::hardware_concurrency());
     std::vector<std::future<void>> workers;

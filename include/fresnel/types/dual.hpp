@@ -11,10 +11,10 @@
 //
 // Infinite derivatives that are true, and where: the square root at a critical angle; sqrt f0 at f0 = 0 in
 // powers_3_6_9; x^power at x = 0 for a power below 1. At a kink (a clamp, max) the derivative is that of the side
-// that is returned; where rounding takes a value past a clamp, as at cos_i = 0, it is the clamp's, 0. Where a value has
-// lost its digits its derivative has too: of the fast exact models near an index match and, by a k_t below 1e-8, beyond
-// the critical angle; of conductor_precise between equal media at cos_i = 0, where it is NaN; of gulbrandsen at r = 0 in
-// float.
+// that is returned, but where rounding alone may have taken a value past a constant, as at cos_i = 0, that of the value.
+// Where a value has lost its digits its derivative has too: of the fast exact models near an index match and, by a k_t
+// below 1e-8, beyond the critical angle; of conductor_precise between equal media at cos_i = 0, where it is NaN; of
+// gulbrandsen at r = 0 in float.
 
 #include <fresnel/number.hpp>
 
@@ -89,7 +89,11 @@ struct dual {
                     result.d[i] = hull(x.d[i], y.d[i]);
                 return result;
             }
-        return select(x < y, y, x);
+        dual result = select(x < y, y, x);
+        if constexpr (std::is_floating_point_v<T>)
+            if (is_constant(x) != is_constant(y) && differ_by_rounding(x.value, y.value))
+                result.d = is_constant(x) ? y.d : x.d;
+        return result;
     }
     friend dual abs(const dual& x) { return select(x < dual(0), -x, x); }
 
@@ -136,6 +140,10 @@ private:
         for (std::size_t i = 0; i < N; ++i)
             if (!(x.d[i] == T(0))) return false;
         return true;
+    }
+    static bool differ_by_rounding(const T& x, const T& y) {
+        const T distance = x < y ? y - x : x - y;
+        return distance <= 32 * std::numeric_limits<T>::epsilon() * (x < T(0) ? -x : x);
     }
     // The chain rule; a derivative of 0 stays 0 whatever its factor.
     static T product(const T& derivative, const T& factor) {
