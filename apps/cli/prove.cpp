@@ -50,6 +50,12 @@ nlohmann::json to_json(const certificate& c) {
             {"proved", c.proved}};
 }
 
+// "[0.082392, 0.082396]", or "[0, 3.2e-14]" where those digits would be zeros
+std::string bounds(const certified& c, int digits) {
+    if (c.hi > 0 && c.hi < 1e-6) return fmt::format("[{:.2g}, {:.2g}]", c.lo, c.hi);
+    return fmt::format("[{0:.{2}f}, {1:.{2}f}]", c.lo, c.hi, digits);
+}
+
 void print(const certificate& c) {
     std::string at;
     for (const auto& [name, value] : c.at)
@@ -59,8 +65,8 @@ void print(const certificate& c) {
                                      ? fmt::format("[{:.1e}, {:.1e}]", c.rounding_found, *c.rounding_bound)
                                      : fmt::format("≥ {:.1e}", c.rounding_found);
     if (c.proved)
-        fmt::print("{:<20} [{:.6f}, {:.6f}]  {:<20} {:<19} {}\n", c.model, c.absolute.lo, c.absolute.hi,
-                   fmt::format("[{:.4f}, {:.4f}]", c.relative->lo, c.relative->hi), rounding, at);
+        print_row("{:<20} {:<21} {:<20} {:<19} {}", c.model, bounds(c.absolute, 6), bounds(*c.relative, 4),
+                  rounding, at);
     else
         fmt::print("{:<20} {:<21} {:<20} {:<19} measured, not proved\n", c.model,
                    fmt::format("{:.3g}", c.absolute.hi), "–", rounding);
@@ -105,7 +111,8 @@ void add_prove(CLI::App& app) {
                     "Relative errors hold on the domain that `fresnel models` names; which of them are\n"
                     "unbounded as eta goes to 1 stands below the table.\n"
                     "Rounding is of float32 against real arithmetic, for parameters up to 10; after ≥\n"
-                    "it is measured only.");
+                    "it is the largest that a search found, as far from critical angles as the domain\n"
+                    "says. --json also has the inputs where it was found, and each metal by itself.");
     const auto given = std::make_shared<options>();
     command->add_option("MODEL", given->models, "registry names; all if none is given");
     command->add_flag("--json", given->json, "print JSON");
