@@ -13,8 +13,8 @@
 // powers_3_6_9; x^power at x = 0 for a power below 1. At a kink (a clamp, max) the derivative is that of the side
 // that is returned, but where rounding alone may have taken a value past a constant, as at cos_i = 0, that of the value.
 // Where a value has lost its digits its derivative has too: of the fast exact models near an index match and, by a k_t
-// below 1e-8, beyond the critical angle; of conductor_precise between equal media at cos_i = 0, where it is NaN; of
-// gulbrandsen at r = 0 in float.
+// below 1e-8, beyond the critical angle; of gulbrandsen at r = 0 in float. Between equal media at cos_i = 0 R jumps, and
+// conductor_precise gives NaN.
 
 #include <fresnel/number.hpp>
 
