@@ -3,6 +3,7 @@
 #include "parameter_options.hpp"
 
 #include "analysis/curve.hpp"
+#include "analysis/fit.hpp"
 #include "analysis/model_table.hpp"
 #include "error.hpp"
 #include "materials/catalog.hpp"
@@ -55,7 +56,7 @@ double from_index(const optical_index& index, const parameter& p) {
     if (p.name == "f0" || p.name == "r") return normal_reflectance(1.0, index.n, index.k);
     if (p.name == "f82") return reflectance(c82);
     if (p.name == "tint")
-        return std::min(reflectance(c82) / schlick(normal_reflectance(1.0, index.n, index.k), c82), 1.0);
+        return std::min(tint_of_f82(normal_reflectance(1.0, index.n, index.k), reflectance(c82)), 1.0);
     return p.default_value;
 }
 

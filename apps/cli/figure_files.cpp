@@ -15,10 +15,7 @@ figure_writer writer_of(std::string_view argument, const std::string& path) {
     if (ending == ".png") return [](const figure& f) { return drawn(f, format::png); };
     if (ending == ".pdf") return [](const figure& f) { return drawn(f, format::pdf); };
     if (ending == ".csv") return [](const figure& f) { return to_csv(f); };
-    if (ending == ".json")
-        return [](const figure& f) {
-            return to_json(f).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
-        };
+    if (ending == ".json") return [](const figure& f) { return json_text(to_json(f)); };
     throw bad_input(fmt::format("{} '{}': must end in .svg, .png, .pdf, .csv or .json", argument, path));
 }
 

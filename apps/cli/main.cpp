@@ -1,6 +1,7 @@
 #include "commands.hpp"
 
 #include "error.hpp"
+#include "figure/figure.hpp"
 #include "figure/leftover.hpp"
 
 #include <fmt/format.h>
@@ -19,10 +20,7 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
     return command;
 }
 
-// The name of a file, which stands for a user's table, need not be UTF-8.
-void print_json(const nlohmann::json& value) {
-    fmt::print("{}\n", value.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
-}
+void print_json(const nlohmann::json& value) { fmt::print("{}", json_text(value)); }
 
 void print_trimmed(std::string line) {
     line.erase(line.find_last_not_of(' ') + 1);

@@ -15,8 +15,6 @@
 
 namespace fresnel {
 
-namespace {} // namespace
-
 optical_index used_index(const material& substance, double wavelength_nm) {
     const optical_index index = index_at(substance, wavelength_nm);
     if (std::isfinite(index.n) && std::isfinite(index.k)) return index;
@@ -138,7 +136,7 @@ normal_colour colour_at_normal(const material& substance, color_space space, dou
         color = limited(color);
     for (std::size_t i = 0; i < 3; ++i) {
         const channel one = channel_of(exact, result.f0, result.f82, ambient, i, white);
-        result.f82_tint[i] = one.f82 / schlick(one.f0, ratio<double, 1, 7>());
+        result.f82_tint[i] = tint_of_f82(one.f0, one.f82);
         const edge_tint tint = fit_gulbrandsen(one);
         result.gulbrandsen_r[i] = tint.r, result.gulbrandsen_g[i] = tint.g;
     }

@@ -273,7 +273,7 @@ parameters fit_with(std::string_view model, const channel& exact, const Tint& ti
     if (model == "hoffman") return fit_hoffman(exact);
     if (model == "air_conductor") return fit_air_conductor(exact);
     if (model == "bias_scale_power") return fit_bias_scale_power(exact);
-    if (model == "f82_tint") return {f0, unit(f82 / schlick(f0, ratio<double, 1, 7>()))};
+    if (model == "f82_tint") return {f0, unit(tint_of_f82(f0, f82))};
     if (model == "f82" || model == "powers_4_12" || model == "powers_2_8_16") return {f0, f82};
 
     const std::span<const parameter> wanted = find_model<double>(model).parameters;
@@ -287,6 +287,8 @@ parameters fit_with(std::string_view model, const channel& exact, const Tint& ti
 }
 
 } // namespace
+
+double tint_of_f82(double f0, double f82) { return f82 / schlick(f0, ratio<double, 1, 7>()); }
 
 channel channel_of(const rgb_curve& exact, const rgb& f0, const rgb& f82, double ambient, std::size_t i,
                    const rgb& white) {

@@ -16,6 +16,9 @@ struct channel {
     double ambient;                       ///< index of the ambient medium
 };
 
+/// The tint of `f82_tint` for reflectances f0 and f82: f82 / schlick(f0, 1/7), above 1 where f82 is above Schlick's curve.
+double tint_of_f82(double f0, double f82);
+
 /// Channel i of a curve whose colours at cos_i = 1 and 1/7 are f0 and f82, as parts of `white`: models are made for
 /// reflectances up to 1, and XYZ's white is not (1, 1, 1).
 channel channel_of(const rgb_curve& exact, const rgb& f0, const rgb& f82, double ambient, std::size_t i,

@@ -5,6 +5,7 @@
 #include "analysis/measure.hpp"
 #include "analysis/multi.hpp"
 
+#include <fresnel/geometry.hpp>
 #include <fresnel/models.hpp>
 #include <fresnel/types/dual.hpp>
 #include <fresnel/types/interval.hpp>
@@ -342,10 +343,9 @@ private:
         if constexpr (N > 2)
             if (exact_) {
                 const double eta = double(x[1]) / double(x[0]), k = N > 3 ? double(x[2]) / double(x[0]) : 0;
-                const double cos2 = (1 - eta) * (1 + eta);
-                const bool critical = std::abs(double(x[N - 1]) - std::sqrt(std::max(cos2, 0.0))) < 0.001;
+                const bool critical = eta < 1 && std::abs(double(x[N - 1]) - critical_cosine(eta)) < 0.001;
                 return eta >= 0.1 && eta <= 10 &&
-                       (row_.error.over == row::everywhere || k >= 0.1 || cos2 <= 0 || !critical) &&
+                       (row_.error.over == row::everywhere || k >= 0.1 || !critical) &&
                        (row_.error.over != row::apart || k >= 0.001 || std::abs(eta - 1) >= 0.001);
             }
         return true;
@@ -383,8 +383,7 @@ private:
             if (exact_) eta = double(x[1]) / double(x[0]);
         if constexpr (N == 2)
             if (row_.parameters[0].name == "eta") eta = double(x[0]);
-        const double cos2 = (1 - eta) * (1 + eta);
-        return limited(N - 1, (cos2 > 0 ? std::sqrt(cos2) : unit()) * (1 + (unit() - 0.5) * small()));
+        return limited(N - 1, (eta < 1 ? critical_cosine(eta) : unit()) * (1 + (unit() - 0.5) * small()));
     }
 
     interval range(std::size_t i) const {

@@ -268,8 +268,7 @@ void write_report(const std::vector<report_entry>& entries, const std::string& d
         all.insert(all.end(), per_entry.back().begin(), per_entry.back().end());
     }
     write_figures(all, figure_dir, {format::svg, format::png});
-    write_file((staged.path / "report.json").string(),
-               report_json(entries).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+    write_file((staged.path / "report.json").string(), json_text(report_json(entries)));
     write_file((staged.path / "index.html").string(), page(entries, slugs, per_entry, figure_dir));
     staged.finish();
 }

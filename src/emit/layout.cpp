@@ -36,10 +36,6 @@ std::string wrapped(std::string line) {
     return text + line;
 }
 
-} // namespace
-
-namespace {
-
 // Where what a line says begins: behind the word in front of it, "data    gold", or behind its indentation.
 std::size_t text_column(std::string_view line) {
     const std::size_t word = line.find_first_not_of(' ');

@@ -86,6 +86,10 @@ std::string markup_text(std::string_view text) {
     return result;
 }
 
+std::string json_text(const nlohmann::json& value) {
+    return value.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
 void write_file(const std::string& path, const std::string& text) {
     if (is_special(path)) {
         std::ofstream file(path, std::ios::binary);

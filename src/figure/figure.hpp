@@ -140,6 +140,11 @@ void write_strip_png(const std::string& path, const std::vector<strip>& rows, in
 /// Text as it must stand in SVG and HTML, in an element or a quoted attribute.
 std::string markup_text(std::string_view text);
 
+/// JSON as commands print and write it: two spaces deep, a line end at its end, numbers in the fewest digits that read
+/// back as the same double. The name of a file, which stands for a user's table, need not be UTF-8: what is not becomes
+/// U+FFFD.
+std::string json_text(const nlohmann::json& value);
+
 /// Writes text to a file beside the wanted one and renames it. Throws failure naming the path.
 void write_file(const std::string& path, const std::string& text);
 

@@ -127,8 +127,7 @@ void write_source_figures(const std::vector<const source_figure*>& wanted, const
     const std::filesystem::path& folder = staged.path;
     write_figures(drawings, folder.string(), {format::svg, format::png});
     for (std::size_t i = 0; i < wanted.size(); ++i)
-        write_file((folder / (wanted[i]->id + ".json")).string(),
-                   to_json(*wanted[i], made[i]).dump(2) + "\n");
+        write_file((folder / (wanted[i]->id + ".json")).string(), json_text(to_json(*wanted[i], made[i])));
     write_file((folder / "index.html").string(), index_page(wanted, made, folder.string()));
     staged.finish();
 }
