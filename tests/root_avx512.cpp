@@ -29,14 +29,16 @@ long wrong_roots(unsigned long first, unsigned long last, unsigned long step) {
     return wrong;
 }
 
-/// The same over [0.5, 2) where the reciprocal root begins with that relative error, beside the processor's own.
-long wrong_refined_roots(float error, unsigned long step) {
+/// Of all floats within a relative error of 1 / sqrt(m), one of which a processor begins with: how many end in another
+/// root of m than the divider's.
+long wrong_refined_roots(float m, float error) {
+    const float reciprocal = 1 / __builtin_sqrtf(m), low = reciprocal * (1 - error),
+                high = reciprocal * (1 + error);
+    const unsigned first = __builtin_bit_cast(unsigned, low), last = __builtin_bit_cast(unsigned, high);
+    const __m512 many = _mm512_set1_ps(m);
     long wrong = 0;
-    for (unsigned long bits = 0x3f000000; bits < 0x40000000; bits += step) {
-        const __m512 m = sixteen_from(static_cast<unsigned>(bits));
-        const __m512 start = _mm512_maskz_rsqrt14_ps(0xffff, m) * _mm512_set1_ps(1 + error);
-        wrong += differing(lanes::refined_root(m, start), lanes::root(m));
-    }
+    for (unsigned bits = first; bits < last; bits += 16)
+        wrong += differing(lanes::refined_root(many, sixteen_from(bits)), lanes::root(many));
     return wrong;
 }
 
