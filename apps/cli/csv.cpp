@@ -122,21 +122,19 @@ private:
 
 // ---- writing ----------------------------------------------------------------------------------------------
 
-// Standard output, a pipe or device that is there, or a file beside the wanted one that takes its name when everything
-// is written.
+// Standard output, or a file that takes its place when everything is written.
 class row_writer {
 public:
-    explicit row_writer(const std::string& path)
-        : name_(path.empty() || path == "-" ? "" : path), path_(link_target(name_)),
-          beside_(name_.empty() || is_special(name_) ? "" : fmt::format("{}.{}.part", path_, getpid())),
-          file_(open()) {
-        if (!beside_.empty()) removed_on_signal_.emplace(beside_);
+    explicit row_writer(const std::string& path) : name_(path == "-" ? "" : path) {
+        if (std::filesystem::is_directory(name_))
+            throw bad_input(fmt::format("--out '{}': is a folder; give a file", name_));
+        if (!name_.empty()) staged_.emplace(name_);
+        file_ = staged_ ? file_handle(std::fopen(staged_->path.c_str(), "wb"), std::fclose)
+                        : file_handle(stdout, [](std::FILE*) { return 0; });
+        if (!file_)
+            throw bad_input(
+                fmt::format("--out '{}': cannot be written; give a file in a folder that can", name_));
     }
-    ~row_writer() {
-        if (!beside_.empty()) file_.reset(), std::remove(beside_.c_str());
-    }
-    row_writer(const row_writer&) = delete;
-    row_writer& operator=(const row_writer&) = delete;
 
     void write(std::string_view line) {
         if (std::fwrite(line.data(), 1, line.size(), file_.get()) != line.size()) fail();
@@ -145,34 +143,23 @@ public:
     void finish() {
         if (std::fflush(file_.get()) != 0) fail();
         if (shows_progress()) fmt::print(stderr, "\r\033[K");
-        if (beside_.empty()) return;
         file_.reset();
-        if (std::rename(beside_.c_str(), path_.c_str()) != 0) fail();
+        if (staged_ && !staged_->finish()) fail();
     }
 
 private:
-    file_handle open() const {
-        if (name_.empty()) return {stdout, [](std::FILE*) { return 0; }};
-        if (std::filesystem::is_directory(name_))
-            throw bad_input(fmt::format("--out '{}': is a folder; give a file", name_));
-        file_handle file(std::fopen((beside_.empty() ? name_ : beside_).c_str(), "wb"), std::fclose);
-        if (!file)
-            throw bad_input(
-                fmt::format("--out '{}': cannot be written; give a file in a folder that can", name_));
-        return file;
-    }
     [[noreturn]] void fail() const {
         throw failure(fmt::format("{}: cannot be written", name_.empty() ? "standard output" : name_));
     }
     // One line on a terminal that is overwritten; nothing where the rows themselves are seen.
-    bool shows_progress() const { return !beside_.empty() && isatty(STDERR_FILENO) != 0; }
+    bool shows_progress() const { return staged_ && staged_->is_beside() && isatty(STDERR_FILENO) != 0; }
     void show_progress() const {
         if (shows_progress()) fmt::print(stderr, "\r\033[Keval: {} rows", lines_);
     }
 
-    std::string name_, path_, beside_;
-    file_handle file_;
-    std::optional<leftover> removed_on_signal_;
+    std::string name_;
+    std::optional<staged_file> staged_;
+    file_handle file_{nullptr, std::fclose};
     std::size_t lines_ = 0;
 };
 

@@ -91,22 +91,10 @@ std::string json_text(const nlohmann::json& value) {
 }
 
 void write_file(const std::string& path, const std::string& text) {
-    if (is_special(path)) {
-        std::ofstream file(path, std::ios::binary);
-        file.write(text.data(), static_cast<std::streamsize>(text.size()));
-        if (file.flush()) return;
-        throw failure(fmt::format("{}: cannot be written", path));
-    }
-    const std::string target = link_target(path), beside = fmt::format("{}.{}.part", target, getpid());
-    const leftover removed_on_signal(beside);
-    {
-        std::ofstream file(beside, std::ios::binary);
-        file.write(text.data(), static_cast<std::streamsize>(text.size()));
-        file.flush();
-        if (file && std::rename(beside.c_str(), target.c_str()) == 0) return;
-    }
-    std::remove(beside.c_str());
-    throw failure(fmt::format("{}: cannot be written", path));
+    const staged_file staged(path);
+    std::ofstream file(staged.path, std::ios::binary);
+    file.write(text.data(), static_cast<std::streamsize>(text.size()));
+    if (!file.flush() || !staged.finish()) throw failure(fmt::format("{}: cannot be written", path));
 }
 
 namespace {

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <deque>
 #include <dirent.h>
@@ -119,6 +120,41 @@ void remove_leftovers_on_signals() {
     }
 }
 
+// ---- files --------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// Where the content of a file must go: to the file that a symbolic link names, not in place of the link.
+std::string link_target(const std::string& path) {
+    std::filesystem::path target = path;
+    std::error_code error;
+    for (int links = 0; links < 40 && std::filesystem::is_symlink(target, error); ++links)
+        target = target.parent_path() / std::filesystem::read_symlink(target, error);
+    return target.string();
+}
+
+/// Whether it is there and no plain file.
+bool is_special(const std::string& path) {
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
+           !std::filesystem::is_directory(status);
+}
+
+} // namespace
+
+staged_file::staged_file(const std::string& place)
+    : path(is_special(place) ? place : fmt::format("{}.{}.part", link_target(place), getpid())),
+      place_(is_special(place) ? place : link_target(place)) {
+    if (is_beside()) removed_on_signal_.emplace(path);
+}
+
+staged_file::~staged_file() {
+    if (is_beside()) std::remove(path.c_str());
+}
+
+bool staged_file::finish() const { return !is_beside() || std::rename(path.c_str(), place_.c_str()) == 0; }
+
 // ---- folders ------------------------------------------------------------------------------------------------
 
 namespace {
@@ -171,23 +207,6 @@ void staged_folder::finish() const {
             std::filesystem::rename(entry.path(), link_target(place.string()), error);
         if (error) throw failure(fmt::format("{}: cannot be written: {}", place.string(), error.message()));
     }
-}
-
-// ---- files --------------------------------------------------------------------------------------------------
-
-std::string link_target(const std::string& path) {
-    std::filesystem::path target = path;
-    std::error_code error;
-    for (int links = 0; links < 40 && std::filesystem::is_symlink(target, error); ++links)
-        target = target.parent_path() / std::filesystem::read_symlink(target, error);
-    return target.string();
-}
-
-bool is_special(const std::string& path) {
-    std::error_code error;
-    const auto status = std::filesystem::status(path, error);
-    return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
-           !std::filesystem::is_directory(status);
 }
 
 } // namespace fresnel

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 // What is written aside until it is complete, and what becomes of it when the program ends before: nothing
@@ -51,10 +52,25 @@ private:
     leftover removed_on_signal_;
 };
 
-/// Where the content of a file must go: to the file that a symbolic link names, not in place of the link.
-std::string link_target(const std::string& path);
+/// A file on its way to its place: written at `path` beside it, it takes its place when it is complete. A pipe or a device
+/// that is there is written into as it is; a symbolic link stays, and the file it names is replaced.
+class staged_file {
+public:
+    explicit staged_file(const std::string& place);
+    ~staged_file();
+    staged_file(const staged_file&) = delete;
+    staged_file& operator=(const staged_file&) = delete;
 
-/// Whether it is there and no plain file: a pipe or a device, which is written into and not replaced.
-bool is_special(const std::string& path);
+    /// Moves it to its place. False if it cannot be.
+    bool finish() const;
+    /// Whether it is written beside its place.
+    bool is_beside() const { return path != place_; }
+
+    const std::string path;
+
+private:
+    std::string place_;
+    std::optional<leftover> removed_on_signal_;
+};
 
 } // namespace fresnel
