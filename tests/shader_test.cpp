@@ -19,6 +19,10 @@ protected:
     }
 };
 
+std::string without_comments(const std::string& text) {
+    return std::regex_replace("\n" + text, std::regex("\n? *//[^\n]*"), "");
+}
+
 void expect_holds(const std::string& text, const std::string& piece) {
     EXPECT_NE(text.find(piece), std::string::npos) << "lacks: " << piece << "\n" << text;
 }
@@ -154,8 +158,9 @@ TEST_F(shader, material_gives_constants_with_their_source) {
 }
 
 TEST_F(shader, the_command_in_a_text_makes_it_again) {
+    write("it's a metal.csv", "wavelength_nm,n,k\n380,0.2,3\n780,0.1,4\n");
     for (const char* arguments :
-         {"schlick f82 --lang wgsl --fix f0=0.04",
+         {"schlick f82 --lang wgsl --fix f0=0.04", "schlick --material \"it's a metal.csv\"",
           "gulbrandsen --material gold --space acescg --ambient 1.333",
           "schlick --material gold --ambient 1.333 --technique per-pixel --lang glsl --stage fragment",
           "schlick --technique lut --stage vertex --name mine"}) {
@@ -163,6 +168,21 @@ TEST_F(shader, the_command_in_a_text_makes_it_again) {
         const std::string made_by = "Made by `fresnel shader ";
         const std::size_t begin = printed.find(made_by) + made_by.size();
         EXPECT_EQ(text(printed.substr(begin, printed.find('`', begin) - begin)), printed) << arguments;
+    }
+}
+
+TEST_F(shader, hostile_file_names_stay_in_comments) {
+    const std::string metal = "wavelength_nm,n,k\n380,0.2,3\n780,0.1,4\n";
+    write("metal.csv", metal);
+    std::filesystem::create_directories(folder / "work/*");
+    const std::string broken = std::string(100, 'a') + "\\ where a line is broken.csv";
+    for (const std::string& name : {std::string("a\nint x;.csv"), std::string("*/ int x;.csv"), broken}) {
+        write(name, metal);
+        for (const std::string how :
+             {" --lang c", " --lang wgsl", " --lang glsl --technique lut --stage fragment"})
+            EXPECT_EQ(without_comments(text("schlick --material '" + name + "'" + how)),
+                      without_comments(text("schlick --material metal.csv" + how)))
+                << name;
     }
 }
 

@@ -51,4 +51,7 @@ bool colours_wanted();
 /// A number of the user's: decimal text to double. Throws bad_input naming the argument.
 double parse_number(std::string_view argument, std::string_view text);
 
+/// An argument as it is typed in a shell: as it is, or in quotes.
+std::string shell_word(std::string_view text);
+
 } // namespace fresnel::cli

@@ -97,9 +97,9 @@ emit::lut_request request_of(const options& given, const emit::lut_subject& subj
 }
 
 std::string made_by(const options& given) {
-    std::string line = "fresnel lut " + given.what;
+    std::string line = "fresnel lut " + shell_word(given.what);
     const auto add = [&](std::string_view option, const std::string& value) {
-        if (!value.empty()) line += fmt::format(" {} {}", option, value);
+        if (!value.empty()) line += fmt::format(" {} {}", option, shell_word(value));
     };
     for (const std::string& fixed : given.fixed)
         add("--fix", fixed);

@@ -36,6 +36,16 @@ double parse_number(std::string_view argument, std::string_view text) {
     throw bad_input(fmt::format("{} = '{}': is not a number", argument, text));
 }
 
+std::string shell_word(std::string_view text) {
+    constexpr std::string_view plain =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789%+,-./:=@_";
+    if (!text.empty() && text.find_first_not_of(plain) == std::string_view::npos) return std::string(text);
+    std::string word = "'";
+    for (const char c : text)
+        word += c == '\'' ? "'\\''" : std::string(1, c);
+    return word + "'";
+}
+
 namespace {
 
 void build(CLI::App& app) {

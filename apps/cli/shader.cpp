@@ -67,9 +67,10 @@ std::string made_by(const options& given) {
         line += " " + model;
     line += " --lang " + given.language;
     for (const std::string& fixed : given.fixed)
-        line += " --fix " + fixed;
-    if (!given.material.empty()) line += " --material " + given.material + colour_arguments(given.colour);
-    if (!given.name.empty()) line += " --name " + given.name;
+        line += " --fix " + shell_word(fixed);
+    if (!given.material.empty())
+        line += " --material " + shell_word(given.material) + colour_arguments(given.colour);
+    if (!given.name.empty()) line += " --name " + shell_word(given.name);
     if (!given.technique.empty()) line += " --technique " + given.technique;
     if (!given.stage.empty()) line += " --stage " + given.stage;
     return line;

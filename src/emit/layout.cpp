@@ -43,6 +43,14 @@ std::size_t text_column(std::string_view line) {
     return gap > 12 ? word : line.find_first_not_of(' ', gap);
 }
 
+// One line, which ends where it ends: names of files may hold ends of lines, and a backslash would go on with the next.
+std::string comment_line(std::string line) {
+    for (char& c : line)
+        if (static_cast<unsigned char>(c) < ' ') c = ' ';
+    if (line.ends_with('\\')) line += '.';
+    return line.empty() ? "//\n" : fmt::format("// {}\n", line);
+}
+
 // A long line on several, below each other. A command stays on one, to be copied.
 std::string comment(std::string line) {
     constexpr std::size_t longest = 120 - std::string_view("// ").size();
@@ -50,10 +58,10 @@ std::string comment(std::string line) {
     while (line.size() > longest && line.find('`') == std::string::npos) {
         const std::size_t column = text_column(line), at = line.rfind(' ', longest);
         if (at == std::string::npos || at < column) break;
-        text += fmt::format("// {}\n", line.substr(0, at));
+        text += comment_line(line.substr(0, at));
         line = std::string(column, ' ') + line.substr(at + 1);
     }
-    return text + (line.empty() ? "//\n" : fmt::format("// {}\n", line));
+    return text + comment_line(std::move(line));
 }
 
 } // namespace
