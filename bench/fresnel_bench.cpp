@@ -1,7 +1,7 @@
 // How fast the models are, and how near to what the machine can do at most.
 //
 //   fresnel_bench                                        everything, which takes minutes
-//   fresnel_bench --benchmark_filter=conductor/          one model
+//   fresnel_bench --benchmark_filter=^conductor/          one model
 //   fresnel_bench --benchmark_format=json
 //   fresnel_bench --benchmark_format=csv                 a counter that a benchmark has not is 0
 //

@@ -35,15 +35,26 @@ private:
     leftover removed_on_signal_;
 };
 
+/// Whether it is there and a folder; false too for what cannot be asked for, a name that is too long.
+inline bool is_folder(const std::filesystem::path& path) {
+    std::error_code ignored;
+    return std::filesystem::is_directory(path, ignored);
+}
+
 /// All bytes of a file, nothing if it cannot be read. Tables of the user's are read by materials/table.hpp, which
 /// limits their size.
 inline std::optional<std::string> file_content(const std::filesystem::path& path) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) return std::nullopt; // a stream opens it, then throws
+    if (is_folder(path)) return std::nullopt; // a stream opens it, then throws
     std::ifstream file(path, std::ios::binary);
     std::string content((std::istreambuf_iterator<char>(file)), {});
     if (!file) return std::nullopt;
     return content;
+}
+
+/// The same. Throws failure.
+inline std::string read_file(const std::filesystem::path& path) {
+    if (auto content = file_content(path)) return *std::move(content);
+    throw failure(path.string() + ": cannot be read");
 }
 
 } // namespace fresnel

@@ -386,7 +386,8 @@ TEST(csv_reader, names_line_and_column_of_a_bad_cell) {
          "my.csv:1:1: column 'wavelength' is unknown; the header is wavelength_nm,n or wavelength_nm,n,k"},
         {"n,n\n", "my.csv:1:3: column 'n' is given twice"},
         {"n,k\n", "my.csv:1: the header must name the columns wavelength_nm and n, and may name k"},
-        {"wavelength_nm,n\n400,\"1.5\"x\n", "my.csv:2:10: 'x' follows a closing quote; a comma must"}};
+        {"wavelength_nm,n\n400,\"1.5\"x\n", "my.csv:2:10: 'x' follows a closing quote; a comma must"},
+        {"wavelength_nm,n\n400,\"1.5\n", "my.csv:2:5: a quote is not closed"}};
     for (const auto& [text, message] : cases)
         EXPECT_EQ(message_of([&] { csv(text); }), message);
 }

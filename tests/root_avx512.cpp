@@ -19,7 +19,8 @@ __m512 sixteen_from(unsigned bits) {
 
 } // namespace
 
-/// Of the floats whose bits are `first` to `last`, a multiple of 16 apart: how many roots by products are not the divider's.
+/// Of the floats whose bits are `first` to `last`, a multiple of 16 apart: how many roots by products are not the
+/// divider's.
 long wrong_roots(unsigned long first, unsigned long last, unsigned long step) {
     long wrong = 0;
     for (unsigned long bits = first; bits < last; bits += step) {

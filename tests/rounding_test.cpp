@@ -73,7 +73,7 @@ TEST(rounding, bounds_its_operations) {
 TEST(rounding, of_one_operation_is_half_a_unit_of_the_last_place) {
     EXPECT_NEAR((rounding(0, 1) + rounding(0, 0.9)).error / half_unit_of_1, 1, 1e-9);
     EXPECT_NEAR((rounding(0, 1) * rounding(0, 1)).error / half_unit_of_1, 0.5, 1e-9);
-    EXPECT_NEAR((rounding(1, 1) / rounding(3, 3)).error / half_unit_of_1, 0.25, 0.2);
+    EXPECT_NEAR((rounding(1, 1) / rounding(3, 3)).error / half_unit_of_1, 1.0 / 6, 1e-6);
 }
 
 TEST(rounding, of_what_is_exact_is_none_but_of_subnormals) {

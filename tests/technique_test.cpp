@@ -9,6 +9,9 @@
 
 #include <fmt/format.h>
 
+#include <regex>
+#include <set>
+
 namespace fresnel::test {
 
 namespace {
@@ -116,6 +119,31 @@ TEST_F(techniques, every_program_is_MSL_as_far_as_clang_can_tell) {
     EXPECT_EQ(complaints(command), "");
     write("all.cpp", all.replace(all.rfind("u.ambient_color"), 15, "u.ambient_colour"));
     EXPECT_TRUE(contains(complaints(command), "ambient_colour"));
+}
+
+TEST_F(techniques, a_function_may_be_called_whatever_a_program_holds) {
+    if (!has_command("glslangValidator")) GTEST_SKIP() << "skipped: no glslangValidator";
+    const emit::dialect& glsl = emit::find_dialect("glsl");
+    const std::regex word("[A-Za-z]\\w*");
+    int programs = 0;
+    for (const emit::technique& t : emit::techniques()) {
+        if (t.name == "none" || t.name == "one-minus-cos" || t.name == "lut")
+            continue; // without the function
+        const std::string usual = program_text("glsl", t.name, "schlick");
+        std::set<std::string> names;
+        for (auto at = std::sregex_iterator(usual.begin(), usual.end(), word); at != std::sregex_iterator();
+             ++at)
+            names.insert(at->str());
+        for (const std::string& name : names) {
+            const emit::model_request request{"schlick", {}, name};
+            const std::string file = fmt::format("{}_{}", t.name, programs);
+            write(file + ".vert", emit::technique_text(glsl, t, request, stage::vertex, "technique_test"));
+            write(file + ".frag", emit::technique_text(glsl, t, request, stage::fragment, "technique_test"));
+            ++programs;
+        }
+    }
+    EXPECT_GT(programs, 300);
+    EXPECT_EQ(complaints("glslangValidator *.vert *.frag | (! grep -E 'ERROR|error')"), "");
 }
 
 TEST_F(techniques, each_stage_of_a_joint_text_is_whole_too) {

@@ -18,12 +18,6 @@ inline constexpr double identity = 8;
 /// float64 against 50 digits, relative: room for the condition of a formula, not for a wrong one.
 inline constexpr double reference = 1e-12;
 
-/// Difference quotients in float64, relative: the square root of the rounding, less a digit.
-inline constexpr double finite_difference = 1e-6;
-
-/// A number read in a paper, absolute: what its printed digits or its curve's line width allow.
-inline constexpr double published_figure = 5e-3;
-
 /// A published formula against our model, both at 60 digits, relative.
 inline constexpr double printed_form = 1e-40;
 

@@ -27,14 +27,8 @@ struct media {
     double n_i, n_t, k_t;
 };
 
-double checked(const parameter& p, const std::string& text) {
-    const double value = parse_number(p.name, text);
-    check_range(p, value);
-    return value;
-}
-
 media chosen_media(const options& given) {
-    const double n_i = checked(row::n_i, given.n_i);
+    const double n_i = parse_parameter(row::n_i, given.n_i);
     if (given.material.empty() == given.n_t.empty()) throw bad_input("--n-t, --material: give one of them");
     if (given.material.empty() && given.wavelength)
         throw bad_input(fmt::format("--wavelength {}: goes with --material only", *given.wavelength));
@@ -42,8 +36,9 @@ media chosen_media(const options& given) {
         throw bad_input(fmt::format("--k-t {}: is what --material '{}' gives; leave one of them out",
                                     *given.k_t, given.material));
     if (given.material.empty())
-        return {n_i, checked(row::n_t, given.n_t), checked(row::k_t, given.k_t.value_or("0"))};
-    const double nm = checked({"--wavelength", "nm", 1, 1e9, 550}, given.wavelength.value_or("550"));
+        return {n_i, parse_parameter(row::n_t, given.n_t),
+                parse_parameter(row::k_t, given.k_t.value_or("0"))};
+    const double nm = parse_parameter({"--wavelength", "nm", 1, 1e9, 550}, given.wavelength.value_or("550"));
     const optical_index index = used_index(load_material(given.material), nm);
     return {n_i, index.n, index.k};
 }

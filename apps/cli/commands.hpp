@@ -1,11 +1,15 @@
 #pragma once
 
+#include "analysis/model_table.hpp"
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 // Each command adds itself to the application: its options, its help with examples, and what it does when
 // chosen. A command throws bad_input or failure (error.hpp); main prints them.
@@ -36,6 +40,9 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
 /// Prints JSON, two spaces deep, numbers in the fewest digits that read back as the same double.
 void print_json(const nlohmann::json& value);
 
+/// Names and their values as a JSON object.
+nlohmann::json object(const std::vector<std::pair<std::string, double>>& values);
+
 /// Prints a line without the blanks at its end.
 void print_trimmed(std::string line);
 
@@ -50,6 +57,9 @@ bool colours_wanted();
 
 /// A number of the user's: decimal text to double. Throws bad_input naming the argument.
 double parse_number(std::string_view argument, std::string_view text);
+
+/// The same within the limits of a parameter, by its name.
+double parse_parameter(const parameter& p, std::string_view text);
 
 /// An argument as it is typed in a shell: as it is, or in quotes.
 std::string shell_word(std::string_view text);

@@ -2,6 +2,7 @@
 #include "commands.hpp"
 
 #include "analysis/cost_table.hpp"
+#include "analysis/drawing.hpp"
 #include "analysis/report.hpp"
 #include "figure/page.hpp"
 
@@ -37,8 +38,9 @@ void print(const comparison& result) {
     const normal_colour& c = result.colour;
     print_row("{}  F0 {:.4f} {:.4f} {:.4f}  {}", c.material, c.f0[0], c.f0[1], c.f0[2], c.page);
     fmt::print("{}\n\n", verdict(result));
-    fmt::print("{:>4} {:<20} {:>22} {:>22} {:>8} {:>6} {:>6}\n", "rank", "model", "max error r g b",
-               "cosine error r g b", "delta E", "cost", "instr");
+    const std::string channels = fmt::format("{}", fmt::join(channel_letters(c.space), " "));
+    fmt::print("{:>4} {:<20} {:>22} {:>22} {:>8} {:>6} {:>6}\n", "rank", "model", "max error " + channels,
+               "cosine error " + channels, "delta E", "cost", "instr");
     for (const model_fit& m : result.models)
         print_rank(m, &m == &result.best_choice());
     fmt::print("{}, ambient {}\n\n", c.recipe, c.ambient);

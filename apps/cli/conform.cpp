@@ -2,8 +2,8 @@
 
 #include "conform/conform.hpp"
 #include "conform/expression.hpp"
-#include "conform/tool.hpp"
 #include "error.hpp"
+#include "files.hpp"
 #include "render/compute.hpp"
 
 #include <fmt/format.h>
@@ -54,9 +54,10 @@ void complete(options& given) {
     request.language = given.language.empty() ? language_of(given.file) : given.language;
     if (request.language != "glsl" && request.language != "hlsl" && request.language != "wgsl")
         throw bad_input(fmt::format("--lang = '{}': must be glsl, hlsl or wgsl", request.language));
-    if (!std::filesystem::is_regular_file(given.file))
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(given.file, ignored))
         throw bad_input(fmt::format("{}: there is no such file", given.file));
-    request.text = conform::read_file(given.file);
+    request.text = read_file(given.file);
     if (!given.arguments.empty()) request.arguments = conform::split_list(given.arguments);
     for (const std::string& fixed : given.fixed) {
         const auto [name, values] = assignment("--fix", fixed, 1);
@@ -66,13 +67,6 @@ void complete(options& given) {
         const auto [name, values] = assignment("--range", range, 2);
         request.ranges[name] = {values[0], values[1]};
     }
-}
-
-nlohmann::json object(const std::vector<std::pair<std::string, double>>& values) {
-    nlohmann::json all = nlohmann::json::object();
-    for (const auto& [name, value] : values)
-        all[name] = value;
-    return all;
 }
 
 nlohmann::json described(const conform::conform_request& request, const conform::conformance& found) {

@@ -20,12 +20,6 @@ namespace {
 
 using words = std::vector<std::string>;
 
-double checked(const parameter& p, const std::string& text) {
-    const double value = parse_number(p.name, text);
-    check_range(p, value);
-    return value;
-}
-
 // Three linear numbers, one number for a gray, or a HEX of sRGB codes. A measured F0 may lie a little outside sRGB.
 rgb colour(std::string_view argument, const words& given, double most = 1) {
     if (given.size() == 1 && (given[0].starts_with('#') || given[0].size() == 6))
@@ -85,8 +79,9 @@ nlohmann::json from_index(double n, double k, double ambient) {
 }
 
 void run_ior(const ior_options& given) {
-    const nlohmann::json result = from_index(checked(row::n, given.n), checked(row::k, given.k),
-                                             checked({"--ambient", "1", 0.01, 100, 1}, given.ambient));
+    const nlohmann::json result =
+        from_index(parse_parameter(row::n, given.n), parse_parameter(row::k, given.k),
+                   parse_parameter({"--ambient", "1", row::n_i.min, row::n_i.max, 1}, given.ambient));
     if (given.json) return print_json(result);
     line("F0", number_or_dash(result["f0"]), fmt::format("sRGB code {}", result["srgb8"].get<int>()));
     line("same F0 from", number_or_dash(result["other_n"]), "the other index with this F0");
@@ -107,7 +102,7 @@ struct f0_options {
 
 void run_f0(const f0_options& given) {
     const rgb f0 = colour("F0", given.f0);
-    const double ambient = checked({"--ambient", "1", 0.01, 100, 1}, given.ambient);
+    const double ambient = parse_parameter({"--ambient", "1", row::n_i.min, row::n_i.max, 1}, given.ambient);
     nlohmann::json outer = nlohmann::json::array(), inner = outer;
     double residual = 0;
     for (const double x : f0) {
@@ -144,7 +139,7 @@ double specular_of(const metalness_law& law, const metalness_options& given) {
     if (law.specular_name.empty())
         throw bad_input(
             fmt::format("--specular {}: {} has no specular; leave it out", *given.specular, law.name));
-    return checked({"--specular", "1", 0, law.specular_max, 0}, *given.specular);
+    return parse_parameter({"--specular", "1", 0, law.specular_max, 0}, *given.specular);
 }
 
 nlohmann::json surface_json(const surface_colors& s) { return {{"f0", s.f0}, {"albedo", s.albedo}}; }
@@ -158,7 +153,7 @@ nlohmann::json values_json(const metalness_law& law, const metalness_values& v) 
 
 nlohmann::json forwards(const metalness_law& law, const metalness_options& given, double ior) {
     const metalness_values v{colour("--base", given.base),
-                             checked({"--metalness", "1", 0, 1, 0}, given.metalness.value_or("0")),
+                             parse_parameter({"--metalness", "1", 0, 1, 0}, given.metalness.value_or("0")),
                              specular_of(law, given), ior};
     const surface_colors s = to_surface(law, v);
     nlohmann::json result = values_json(law, v);
@@ -195,7 +190,7 @@ void run_metalness(const metalness_options& given) {
         throw bad_input("--f0, --albedo: both are needed to find the parameters");
     if (back && (given.metalness || given.specular))
         throw bad_input("--metalness, --specular: are what --f0 and --albedo find; leave them out");
-    const double ior = checked({"--ior", "1", 1, 100, 1.5}, given.ior);
+    const double ior = parse_parameter({"--ior", "1", 1, 100, 1.5}, given.ior);
     surface_colors wanted{};
     if (back) wanted = {colour("--f0", given.f0, 1.2), colour("--albedo", given.albedo)};
 
@@ -221,10 +216,10 @@ struct opacity_options {
 void run_opacity(const opacity_options& given) {
     if (given.total.has_value() == given.attenuation.has_value())
         throw bad_input("--total, --attenuation: give one of them; the other is found");
-    const double fresnel = checked({"--fresnel", "1", 0, 1, 0}, given.fresnel);
+    const double fresnel = parse_parameter({"--fresnel", "1", 0, 1, 0}, given.fresnel);
     double attenuation, total;
     if (given.total) {
-        total = checked({"--total", "1", 0, 1, 0}, *given.total);
+        total = parse_parameter({"--total", "1", 0, 1, 0}, *given.total);
         if (fresnel > total)
             throw bad_input(
                 fmt::format("--fresnel = {}: must be in [0, {}], the total opacity; no layer is less opaque "
@@ -232,7 +227,7 @@ void run_opacity(const opacity_options& given) {
                             fresnel, total));
         attenuation = fresnel == 1 ? 0 : opacity_attenuation(total, fresnel);
     } else {
-        attenuation = checked({"--attenuation", "1", 0, 1, 0}, *given.attenuation);
+        attenuation = parse_parameter({"--attenuation", "1", 0, 1, 0}, *given.attenuation);
         total = opacity_total(attenuation, fresnel);
     }
     nlohmann::json rows = nlohmann::json::array();

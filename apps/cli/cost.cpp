@@ -230,10 +230,10 @@ void add_cost(CLI::App& app) {
         "shader that evaluates once. n_i is 1, or free: a parameter like the others.");
     const auto given = std::make_shared<options>();
     command->add_option("MODEL", given->models, "registry names; all if none is given");
-    command->add_option("--gpu", given->gpu, "polaris10, navi21, gfx1100 (the default) or another")
-        ->type_name("NAME,…");
+    command->add_option("--gpu", given->gpu, "polaris10, navi21, gfx1100 (all three by default) or another")
+        ->type_name("NAME,...");
     command->add_option("--stage", given->stage, "fragment (the default), vertex or compute")
-        ->type_name("NAME,…");
+        ->type_name("NAME,...");
     command
         ->add_option("--program", given->program,
                      "a GLSL program of your own, written for OpenGL or Vulkan: what all of each stage costs")

@@ -4,6 +4,7 @@
 #include "analysis/multi.hpp"
 #include "error.hpp"
 #include "figure/leftover.hpp"
+#include "files.hpp"
 
 #include <fmt/format.h>
 
@@ -106,8 +107,7 @@ public:
 private:
     static file_handle open(const std::string& path) {
         if (path == "-") return {stdin, [](std::FILE*) { return 0; }};
-        if (std::filesystem::is_directory(path))
-            throw bad_input(fmt::format("--csv '{}': is a directory, not a file", path));
+        if (is_folder(path)) throw bad_input(fmt::format("--csv '{}': is a directory, not a file", path));
         file_handle file(std::fopen(path.c_str(), "rb"), std::fclose);
         if (!file) throw bad_input(fmt::format("--csv '{}': cannot be opened", path));
         return file;
@@ -126,8 +126,7 @@ private:
 class row_writer {
 public:
     explicit row_writer(const std::string& path) : name_(path == "-" ? "" : path) {
-        if (std::filesystem::is_directory(name_))
-            throw bad_input(fmt::format("--out '{}': is a folder; give a file", name_));
+        if (is_folder(name_)) throw bad_input(fmt::format("--out '{}': is a folder; give a file", name_));
         if (!name_.empty()) staged_.emplace(name_);
         file_ = staged_ ? file_handle(std::fopen(staged_->path.c_str(), "wb"), std::fclose)
                         : file_handle(stdout, [](std::FILE*) { return 0; });
@@ -141,10 +140,9 @@ public:
         if (++lines_ % 65536 == 0) show_progress();
     }
     void finish() {
-        if (std::fflush(file_.get()) != 0) fail();
         if (shows_progress()) fmt::print(stderr, "\r\033[K");
-        file_.reset();
-        if (staged_ && !staged_->finish()) fail();
+        if (std::fflush(file_.get()) != 0) fail();
+        if (staged_ && (std::fclose(file_.release()) != 0 || !staged_->finish())) fail();
     }
 
 private:

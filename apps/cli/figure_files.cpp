@@ -1,6 +1,7 @@
 #include "figure_files.hpp"
 
 #include "error.hpp"
+#include "files.hpp"
 
 #include <fmt/format.h>
 
@@ -20,8 +21,7 @@ figure_writer writer_of(std::string_view argument, const std::string& path) {
 }
 
 void require_writable(std::string_view argument, const std::string& path) {
-    if (std::filesystem::is_directory(path))
-        throw bad_input(fmt::format("{} '{}': is a folder; give a file", argument, path));
+    if (is_folder(path)) throw bad_input(fmt::format("{} '{}': is a folder; give a file", argument, path));
     const std::filesystem::path parent = std::filesystem::path(path).parent_path();
     if (access(parent.empty() ? "." : parent.c_str(), W_OK | X_OK) != 0)
         throw bad_input(

@@ -114,7 +114,7 @@ void print(const identification& found) {
     const auto three = [](const rgb& v) { return fmt::format("{:.4f} {:.4f} {:.4f}", v[0], v[1], v[2]); };
     fmt::print("{}F0 {}  {}  {}: luminance {:.4f}\n\n", swatch(found.f0, found.space), three(found.f0),
                to_hex(to_screen(found.f0, found.space)), found.surface, found.luminance);
-    fmt::print("{:>7}  {:<24} {:<14} {:<22} {}\n", "ΔE", "nearest material", "class", "F0", "dataset");
+    fmt::print("{:>6}  {:<24} {:<14} {:<22} {}\n", "ΔE", "nearest material", "class", "F0", "dataset");
     for (const neighbour& n : found.nearest)
         print_row("{:>6.2f}  {:<24} {:<14} {:<22} {}{}", n.delta_e, n.substance->name, n.substance->category,
                   three(n.f0), swatch(n.f0, found.space), dataset(*n.substance));

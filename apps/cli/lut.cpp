@@ -211,7 +211,7 @@ void run(const options& given) {
 void add_table_options(CLI::App& command, options& given) {
     command
         .add_option("--size", given.size,
-                    "texels, [2, 4096] (default 64); with --by COLUMNSxROWS, each [2, 256]")
+                    "texels, [2, 4096] (default 64); with --by COLUMNSxROWS, each [2, 256] (default 64x32)")
         ->type_name("N");
     command
         .add_option("--map", given.map,
@@ -257,7 +257,8 @@ void add_lut(CLI::App& app) {
     command->add_option("--out", given->out, "write the table: .png, .exr or .h")->type_name("FILE");
     add_colour_options(*command, given->colour);
     command->add_flag("--errors", given->errors,
-                      "print the errors of every map and format at 16, 32, 64 and 256 texels");
+                      "print the errors of every map and format at 16, 32, 64 and 256 texels; with --by at "
+                      "16, 32 and 64 squared");
     command
         ->add_option("--plot", given->plot,
                      "draw the error against the size: .svg, .png, .pdf, .csv or .json")

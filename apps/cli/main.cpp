@@ -20,6 +20,13 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
     return command;
 }
 
+nlohmann::json object(const std::vector<std::pair<std::string, double>>& values) {
+    nlohmann::json all = nlohmann::json::object();
+    for (const auto& [name, value] : values)
+        all[name] = value;
+    return all;
+}
+
 void print_json(const nlohmann::json& value) { fmt::print("{}", json_text(value)); }
 
 void print_trimmed(std::string line) {
@@ -34,6 +41,12 @@ double parse_number(std::string_view argument, std::string_view text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error == std::errc{} && end == text.data() + text.size()) return value;
     throw bad_input(fmt::format("{} = '{}': is not a number", argument, text));
+}
+
+double parse_parameter(const parameter& p, std::string_view text) {
+    const double value = parse_number(p.name, text);
+    check_range(p, value);
+    return value;
 }
 
 std::string shell_word(std::string_view text) {

@@ -20,13 +20,6 @@ struct options {
 
 nlohmann::json pair(const certified& value) { return {value.lo, value.hi}; }
 
-nlohmann::json object(const std::vector<std::pair<std::string, double>>& values) {
-    nlohmann::json all = nlohmann::json::object();
-    for (const auto& [name, value] : values)
-        all[name] = value;
-    return all;
-}
-
 nlohmann::json to_json(const certificate& c) {
     nlohmann::json at = object(c.at), metals = nlohmann::json::array();
     if (!c.material.empty()) at["material"] = c.material;

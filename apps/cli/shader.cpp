@@ -101,11 +101,10 @@ void check(const options& given) {
         throw bad_input(fmt::format("--stage '{}': is part of a --technique", given.stage));
 }
 
-void note_renaming(const emit::language& l, const std::string& name) {
-    const std::string legal = emit::function_name(l, name);
-    if (!name.empty() && legal != name)
-        fmt::print(stderr, "shader: '{}' cannot be a name of ours in {}; the function is called {}\n", name,
-                   l.title, legal);
+void note_renaming(const emit::language& l, const std::string& wanted, const std::string& given) {
+    if (!wanted.empty() && given != wanted)
+        fmt::print(stderr, "shader: '{}' cannot be a name of ours in {}; the function is called {}\n", wanted,
+                   l.title, given);
 }
 
 emit::model_request request_of(const options& given, const std::string& model) {
@@ -120,8 +119,9 @@ std::string program_of(const options& given) {
     const emit::technique& how = emit::find_technique(given.technique);
     const emit::stage stages = emit::find_stage(given.stage);
     const emit::dialect& d = emit::find_dialect(given.language);
-    note_renaming(d.own(), given.name);
-    return emit::technique_text(d, how, request_of(given, given.models.front()), stages, made_by(given));
+    const emit::model_request request = request_of(given, given.models.front());
+    note_renaming(d.own(), given.name, emit::name_in_program(d, request));
+    return emit::technique_text(d, how, request, stages, made_by(given));
 }
 
 std::string text_of(const options& given) {
@@ -134,7 +134,7 @@ std::string text_of(const options& given) {
     std::string text = emit::preamble(l, made_by(given), requests);
     for (const emit::model_request& request : requests)
         text += "\n" + emit::model_text(l, request);
-    note_renaming(l, given.name);
+    note_renaming(l, given.name, emit::function_name(l, given.name));
     return text;
 }
 

@@ -92,7 +92,8 @@ void add_verify_options(CLI::App& command, verify_options& given) {
         verify->excludes(command.get_option(other));
     command.add_flag("--json", given.json, "with --verify: JSON")->needs(verify);
     command
-        .add_option("--rows", given.rows, "with --verify: inputs of each function (default 270336, or 65536)")
+        .add_option("--rows", given.rows,
+                    "with --verify: inputs of each function (default 270336 of one channel, 65536 of more)")
         ->type_name("N")
         ->check(CLI::PositiveNumber)
         ->needs(verify);

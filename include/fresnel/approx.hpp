@@ -110,7 +110,7 @@ T powers_4_8_weight() {
     return ratio<T, 55, 100>();
 }
 
-/// Two powers in Schlick's number of operations; better than Schlick on dielectrics in every norm.
+/// Two powers for one operation more than Schlick; better than Schlick on dielectrics in every norm.
 ///
 ///   F = f0 + x^4 ((a - f0) + (1 - a) x^4),   a = 0.55
 ///

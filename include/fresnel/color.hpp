@@ -157,8 +157,8 @@ inline void settle_white(recipe& how) {
     }
 }
 
-/// Builds a recipe from at least two samples. `adapted_white` is the white to which XYZ is adapted by Bradford before the matrix of the
-/// primaries, or none: then the primaries' white is the illuminant itself, and nothing is adapted.
+/// Builds a recipe from at least two samples. `adapted_white` is the white to which XYZ is adapted by Bradford before
+/// the matrix of the primaries, or none: then the primaries' white is the illuminant itself, and nothing is adapted.
 inline recipe make_recipe(color_space space, const observer& eye, std::optional<chromaticity> adapted_white,
                           std::string text) {
     recipe how{space, eye.wavelength_nm, {}, {}, {}, std::move(text)};

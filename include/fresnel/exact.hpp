@@ -8,7 +8,7 @@
 // medium: eta = n_t / n_i. Transmittances are ratios of power through the surface, so that R + T = 1.
 //
 // Three arrangements of the same equations, chosen by measurement (docs/accuracy.md):
-//   dielectric, conductor            accurate everywhere in float; use these
+//   dielectric, conductor            accurate in float but at the critical angle; use these
 //   dielectric_fast, conductor_fast  the fewest operations; lose digits near n_t = n_i and where n << k
 //   conductor_precise                compensated arithmetic; accurate at the critical angle as well
 

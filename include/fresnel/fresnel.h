@@ -10,7 +10,7 @@
  * must be the default: rounding to nearest, denormals kept (no FTZ or DAZ, which -ffast-math may set for a program).
  *
  * Models are known by name: "dielectric", "conductor", "schlick", "f82", ...; fresnel_model_name lists them, and
- * docs/models.md has the equation and the error of each. cos_i is the cosine of the angle of incidence, in [0, 1]. The
+ * docs/models.md has the error of each and `fresnel models NAME` its equation. cos_i is the cosine of the angle of incidence, in [0, 1]. The
  * index of the medium that the light comes from is a parameter of the exact models, n_i. A refractive index is n + ik,
  * k >= 0. Reflectances are linear and in [0, 1].
  */

@@ -237,8 +237,9 @@ T sin_critical(T f0) {
 
 /// Exact reflection from the inside of a surface known by its f0 alone.
 ///
-/// f0, cos_i   reflectance at normal incidence and cosine of incidence inside   [0, 1)
-/// returns     as `dielectric`
+/// f0      reflectance at normal incidence   [0, 1)
+/// cos_i   cosine of incidence inside        [0, 1]
+/// returns as `dielectric`
 template <class T>
 boundary<T> internal_reflection(T f0, T cos_i) {
     return dielectric(T(1), inner_eta_from_f0(f0), cos_i);

@@ -154,11 +154,11 @@ enum class material_kind { spectral, index, f0 };
 /// A material with its provenance.
 ///
 /// name, aliases   what an engineer would type; lower case
-/// category        metal, alloy, semiconductor, dielectric, gas, mineral, glass, polymer, liquid, organic,
-/// ... page            refractiveindex.info file without .yml, "main/Cu/nk/Johnson"; empty for table rows n,
-/// k            spectra; k is absent where the source gives none, which is not the same as 0 index, f0 lo and
-/// hi, equal for a single value; of the kinds so named, otherwise 0 range_nm        where both n and k (or n
-/// alone, where k is absent) are known; beyond it they are held
+/// category        metal, semimetal, semiconductor or dielectric
+/// page            refractiveindex.info file without .yml, "main/Cu/nk/Johnson"; empty for table rows
+/// n, k            spectra; k is absent where the source gives none, which is not the same as 0
+/// index, f0       lo and hi, equal for a single value; of the kinds so named, otherwise 0
+/// range_nm        where both n and k (or n alone, where k is absent) are known; beyond it they are held
 ///                 constant. The visible range for table rows, which name no wavelength
 /// quality         one sentence: measured or calculated, points in the visible, film or bulk, weak points
 struct material {
@@ -181,8 +181,8 @@ struct optical_index {
 /// The complex index of a material at a wavelength, relative to vacuum or air as its source gives it.
 ///
 /// An absent k counts as 0 here, and so does the negative k that some pages have as noise; ask `what.k` where
-/// the difference matters. An `index` material has the middle of its range, an `f0` material the index above 1 that gives the middle of its f0 range, at every
-/// wavelength.
+/// the difference matters. An `index` material has the middle of its range, an `f0` material the index above 1 that gives
+/// the middle of its f0 range, at every wavelength.
 ///
 /// wavelength_nm   > 0   nm
 /// returns         n, k >= 0; n is NaN at a pole of its formula and where the material has no n

@@ -6,7 +6,7 @@
 // float, the 50-digit number, the derivative, the interval, the SIMD batch and the shader text are all the
 // same body, instantiated. That works because a body uses these verbs and nothing else:
 //
-//     + - * /                 between T and T, and between T and an integer literal
+//     + - * /                 between T and T, and between T and an integer literal; - of a T
 //     < <= > >=               give a mask, not a bool: for a batch or a symbol there is no single answer
 //     select(mask, a, b)      a where the mask holds, otherwise b; both are always evaluated
 //     sqrt abs min max        the usual ones; min and max keep a NaN that is their first argument

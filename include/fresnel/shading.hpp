@@ -120,7 +120,8 @@ T fresnel_highlight(T f0, T cos_h, T cos_r, T shininess, T cos_l) {
 ///
 ///   f90 = saturate(50 f0)
 ///
-/// No material in air is below 0.02, and so a painted F0 down there darkens cavities, and f90 has to follow.
+/// Hardly any material in air is below 0.02 (ice has 0.018), and so a painted F0 down there darkens cavities, and f90
+/// has to follow.
 /// For an artist's value in air only: never for a measured F0, nor for one that was `immersed`, which may
 /// well be below 0.02.
 ///

@@ -226,7 +226,7 @@ FRESNEL_FUNCTION float2 twofold_product(float2 a, float2 b) {
 
 // ---- exact ---------------------------------------------------------------------------------------------------
 
-// Exact reflectance between two transparent media, accurate in float everywhere.
+// Exact reflectance between two transparent media, accurate in float but at the critical angle.
 //
 //   R_s = E^2 / (E^2 + 4 c g (g + c)^2), R_p = R_s ((c g - s^2) / (c g + s^2))^2, E = eta^2 - 1,
 //   g^2 = E + c^2
@@ -310,7 +310,7 @@ FRESNEL_FUNCTION fresnel_boundary dielectric_boundary(float n_i, float n_t, floa
     return result;
 }
 
-// Exact reflectance of an absorbing medium seen from a transparent one, accurate in float everywhere.
+// Exact reflectance of an absorbing medium seen from a transparent one, accurate in float but at the critical angle.
 //
 //   R_s = |c - q|^2 / |c + q|^2, R_p = R_s |q c - s^2|^2 / |q c + s^2|^2, q^2 = (n + i k)^2 - s^2
 //
@@ -907,7 +907,7 @@ FRESNEL_FUNCTION float3 photometric(float3 f0, float3 normal, float3 direction) 
     return photometric(f0, incidence_cosine(normal, direction));
 }
 
-// Two powers at Schlick's cost, better on dielectrics.
+// Two powers for one operation more than Schlick, better on dielectrics.
 //
 //   F = f0 + x^4 ((a - f0) + (1 - a) x^4), a = 0.55, x = 1 - cos_i
 //

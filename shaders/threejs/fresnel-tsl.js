@@ -427,7 +427,7 @@ vec2 twofold_product(vec2 a, vec2 b) {
 `, [twoSum, twoProduct]);
 
 export const dielectric = /*@__PURE__*/ native(/* wgsl */ `
-// Exact reflectance between two transparent media, accurate in float everywhere.
+// Exact reflectance between two transparent media, accurate in float but at the critical angle.
 //
 //   R_s = E^2 / (E^2 + 4 c g (g + c)^2), R_p = R_s ((c g - s^2) / (c g + s^2))^2, E = eta^2 - 1,
 //   g^2 = E + c^2
@@ -463,7 +463,7 @@ fn dielectric(n_i: f32, n_t: f32, cos_i: f32) -> f32 {
     return (R_s + R_p) / 2.0;
 }
 `, /* glsl */ `
-// Exact reflectance between two transparent media, accurate in float everywhere.
+// Exact reflectance between two transparent media, accurate in float but at the critical angle.
 //
 //   R_s = E^2 / (E^2 + 4 c g (g + c)^2), R_p = R_s ((c g - s^2) / (c g + s^2))^2, E = eta^2 - 1,
 //   g^2 = E + c^2
@@ -575,7 +575,7 @@ vec3 dielectric_rgb_dir(float n_i, vec3 n_t, vec3 normal, vec3 direction) {
 `, [incidenceCosine, dielectricRgb]);
 
 export const conductor = /*@__PURE__*/ native(/* wgsl */ `
-// Exact reflectance of an absorbing medium seen from a transparent one, accurate in float everywhere.
+// Exact reflectance of an absorbing medium seen from a transparent one, accurate in float but at the critical angle.
 //
 //   R_s = |c - q|^2 / |c + q|^2, R_p = R_s |q c - s^2|^2 / |q c + s^2|^2, q^2 = (n + i k)^2 - s^2
 //
@@ -623,7 +623,7 @@ fn conductor(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     return (R_s + R_p) / 2.0;
 }
 `, /* glsl */ `
-// Exact reflectance of an absorbing medium seen from a transparent one, accurate in float everywhere.
+// Exact reflectance of an absorbing medium seen from a transparent one, accurate in float but at the critical angle.
 //
 //   R_s = |c - q|^2 / |c + q|^2, R_p = R_s |q c - s^2|^2 / |q c + s^2|^2, q^2 = (n + i k)^2 - s^2
 //
@@ -1601,7 +1601,7 @@ vec3 photometric_rgb_dir(vec3 f0, vec3 normal, vec3 direction) {
 `, [incidenceCosine, photometricRgb]);
 
 export const powers48 = /*@__PURE__*/ native(/* wgsl */ `
-// Two powers at Schlick's cost, better on dielectrics.
+// Two powers for one operation more than Schlick, better on dielectrics.
 //
 //   F = f0 + x^4 ((a - f0) + (1 - a) x^4), a = 0.55, x = 1 - cos_i
 //
@@ -1617,7 +1617,7 @@ fn powers_4_8(f0: f32, cos_i: f32) -> f32 {
     return f0 + x4 * (0.55 - f0 + 0.45 * x4);
 }
 `, /* glsl */ `
-// Two powers at Schlick's cost, better on dielectrics.
+// Two powers for one operation more than Schlick, better on dielectrics.
 //
 //   F = f0 + x^4 ((a - f0) + (1 - a) x^4), a = 0.55, x = 1 - cos_i
 //

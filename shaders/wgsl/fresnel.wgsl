@@ -204,7 +204,7 @@ fn twofold_product(a: vec2f, b: vec2f) -> vec2f {
 
 // ---- exact ---------------------------------------------------------------------------------------------------
 
-// Exact reflectance between two transparent media, accurate in float everywhere.
+// Exact reflectance between two transparent media, accurate in float but at the critical angle.
 //
 //   R_s = E^2 / (E^2 + 4 c g (g + c)^2), R_p = R_s ((c g - s^2) / (c g + s^2))^2, E = eta^2 - 1,
 //   g^2 = E + c^2
@@ -306,7 +306,7 @@ fn dielectric_boundary(n_i: f32, n_t: f32, cos_i: f32) -> fresnel_boundary {
     return fresnel_boundary(R_s, R_p, min(T_s, 1.0), min(T_p, 1.0));
 }
 
-// Exact reflectance of an absorbing medium seen from a transparent one, accurate in float everywhere.
+// Exact reflectance of an absorbing medium seen from a transparent one, accurate in float but at the critical angle.
 //
 //   R_s = |c - q|^2 / |c + q|^2, R_p = R_s |q c - s^2|^2 / |q c + s^2|^2, q^2 = (n + i k)^2 - s^2
 //
@@ -922,7 +922,7 @@ fn photometric_rgb_dir(f0: vec3f, normal: vec3f, direction: vec3f) -> vec3f {
     return photometric_rgb(f0, incidence_cosine(normal, direction));
 }
 
-// Two powers at Schlick's cost, better on dielectrics.
+// Two powers for one operation more than Schlick, better on dielectrics.
 //
 //   F = f0 + x^4 ((a - f0) + (1 - a) x^4), a = 0.55, x = 1 - cos_i
 //

@@ -37,12 +37,10 @@ rgb8 blend(const rgb8& from, const rgb8& to, double t) {
 const axis theta_axis = {"angle of incidence θ (degrees)", 0, 90, 15};
 
 std::string viridis(double t) {
-    constexpr std::array<std::string_view, 11> stops = {"#440154", "#482475", "#414487", "#355f8d",
-                                                        "#2a788e", "#21918c", "#22a884", "#44bf70",
-                                                        "#7ad151", "#bddf26", "#fde725"};
-    const double at = std::clamp(t, 0.0, 1.0) * (stops.size() - 1);
-    const auto i = std::min(static_cast<std::size_t>(at), stops.size() - 2);
-    return to_hex(blend(*parse_hex(stops[i]), *parse_hex(stops[i + 1]), at - static_cast<double>(i)));
+    const double at = std::clamp(t, 0.0, 1.0) * (viridis_stops.size() - 1);
+    const auto i = std::min(static_cast<std::size_t>(at), viridis_stops.size() - 2);
+    return to_hex(
+        blend(*parse_hex(viridis_stops[i]), *parse_hex(viridis_stops[i + 1]), at - static_cast<double>(i)));
 }
 
 std::string shaded(std::string_view color, double amount) {

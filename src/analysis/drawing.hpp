@@ -18,7 +18,7 @@ inline constexpr std::array<const char*, 3> channel_colors = {"#d92b2b", "#1fa84
 inline constexpr std::array<const char*, 6> model_colors = {"#0072b2", "#d55e00", "#1f9d78",
                                                             "#9b4df0", "#b58a5a", "#d966a8"};
 
-/// A colour of the perceptually even ramp viridis (van der Walt and Smith 2015), as #rrggbb.
+/// A colour of the perceptually even ramp viridis, as #rrggbb.
 ///
 /// t   [0, 1]: from dark violet over green to yellow
 std::string viridis(double t);

@@ -118,12 +118,16 @@ double channel_spread(const material& substance) {
     return worst;
 }
 
+bool is_sample_metal(const material& m) {
+    return m.category == "metal" && m.kind == material_kind::spectral && m.name != "caesium" &&
+           !m.quality.starts_with("Calculated");
+}
+
 const std::vector<metal_sample>& metal_samples() {
     static const std::vector<metal_sample> all = [] {
         std::vector<metal_sample> samples;
         for (const material& m : builtin_materials()) {
-            if (m.category != "metal" || m.kind != material_kind::spectral || m.name == "caesium") continue;
-            if (m.quality.starts_with("Calculated")) continue;
+            if (!is_sample_metal(m)) continue;
             for (const double nm : {450.0, 550.0, 650.0})
                 samples.push_back({m.name, nm, index_at(m, nm)});
         }

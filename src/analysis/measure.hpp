@@ -70,8 +70,11 @@ struct metal_sample {
     optical_index index;
 };
 
-/// Every built-in metal that was measured at 450, 550 and 650 nm, the set over which fitted models are judged, but for
-/// caesium: its plasma edge lies in the visible, and there nothing but the exact equations follows it.
+/// Whether it is one of the metals over which fitted models are judged: all whose n and k were measured but for caesium,
+/// whose plasma edge lies in the visible, where nothing but the exact equations follows it.
+bool is_sample_metal(const material& m);
+
+/// Each built-in one at 450, 550 and 650 nm.
 const std::vector<metal_sample>& metal_samples();
 
 } // namespace fresnel

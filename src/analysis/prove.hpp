@@ -45,8 +45,9 @@ bool can_prove(std::string_view over);
 /// no error but rounding, keep the one that the registry's test measures.
 ///
 /// Rounding is of parameters up to 10, of exact models for n_t / n_i in [0.1, 10] as far from a critical angle and an
-/// index match as `domain` says, of `schlick_internal` inside gems, of `gulbrandsen` for r in [0.02, 0.99]. It is bounded by a running error analysis (types/rounding.hpp), but for models
-/// that compare: there float and real may take two ways.
+/// index match as `domain` says, of `schlick_internal` inside gems, of `gulbrandsen` for r in [0.02, 0.99]. It is
+/// bounded by a running error analysis (types/rounding.hpp), but for models that compare: there float and real may take
+/// two ways.
 ///
 /// throws bad_input for an unknown model
 certificate prove(std::string_view model);

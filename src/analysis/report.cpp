@@ -185,11 +185,12 @@ std::string model_table_html(const comparison& r) {
                             &m == &r.best_choice() ? " class=\"chosen\"" : "", m.rank, m.name, m.cost,
                             instructions_text(m), three(m.error.max, 4), three(m.error.rms, 4),
                             three(m.error.cosine, 4), m.error.delta_e_max, markup_text(parameter_text(m)));
-    return "<div class=\"scroll\"><table><tr><th>rank</th><th "
-           "class=\"left\">model</th><th>operations</th><th>instructions</th><th>max error, R G B</th>"
-           "<th>RMS over θ</th><th>cosine-weighted</th><th>worst ΔE₀₀</th><th class=\"left\">fitted "
-           "parameters, R G B</th></tr>\n" +
-           rows + "</table></div>\n";
+    return fmt::format(
+        "<div class=\"scroll\"><table><tr><th>rank</th><th "
+        "class=\"left\">model</th><th>operations</th><th>instructions</th><th>max error, {0}</th>"
+        "<th>RMS over θ</th><th>cosine-weighted</th><th>worst ΔE₀₀</th><th class=\"left\">fitted "
+        "parameters, {0}</th></tr>\n{1}</table></div>\n",
+        fmt::join(channel_letters(r.colour.space), " "), rows);
 }
 
 std::string provenance(const report_entry& entry) {

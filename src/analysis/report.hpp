@@ -18,7 +18,7 @@ struct report_entry {
 /// report.json: {materials: [...]}.
 nlohmann::json report_json(const std::vector<report_entry>& entries);
 
-/// Writes dir/report.json, dir/figures/*.svg and *.png, and last dir/index.html, one file that needs no other.
+/// Writes dir/report.json, dir/figures/*.svg and *.png, and dir/index.html, one file that needs no other.
 /// Throws failure naming the file that could not be written.
 void write_report(const std::vector<report_entry>& entries, const std::string& dir);
 

@@ -229,6 +229,8 @@ using every_model = table<std::make_index_sequence<std::tuple_size_v<decltype(re
 } // namespace
 } // namespace FRESNEL_ISA_NAMESPACE
 
+static_assert(FRESNEL_ISA_ANGLES * single::size <= most_lanes);
+
 kernel_table FRESNEL_ISA_KERNELS() {
     return {every_model::rows, std::size_t{FRESNEL_ISA_ANGLES} * single::size, &spectral};
 }

@@ -1,9 +1,10 @@
 #include "conform/program.hpp"
 
-#include "conform/tool.hpp"
 #include "emit/language.hpp"
 #include "error.hpp"
 #include "figure/figure.hpp"
+#include "figure/tool.hpp"
+#include "files.hpp"
 
 #include <fmt/format.h>
 
@@ -133,8 +134,8 @@ public:
         }
         run_tool(line);
         for (std::size_t i = 0; i < sources.size(); ++i)
-            if (const auto made = scratch.path / (std::to_string(i) + ".spv"); std::filesystem::exists(made))
-                spirv_[sources[i]] = read_file(made);
+            if (const auto made = file_content(scratch.path / (std::to_string(i) + ".spv")))
+                spirv_[sources[i]] = *made;
     }
 
 private:

@@ -1,9 +1,10 @@
 #include "conform/verify.hpp"
 
 #include "conform/program.hpp"
-#include "conform/tool.hpp"
 #include "error.hpp"
 #include "figure/figure.hpp"
+#include "figure/tool.hpp"
+#include "files.hpp"
 
 #include <fmt/format.h>
 
@@ -152,21 +153,16 @@ public:
         const tool_end end = run_tool(line);
         if (end.status != 0)
             throw failure(fmt::format("{}: {}", command, end.said.substr(0, end.said.find('\n'))));
-        library_ = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
-        if (library_ == nullptr) throw failure(fmt::format("{}: {}", command, dlerror()));
+        library_.reset(dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL));
+        if (!library_) throw failure(fmt::format("{}: {}", command, dlerror()));
         if (function<int()>("fresnel_devices")() == 0)
             throw render::no_device(fmt::format("{} is there, but no device that runs its code", command));
     }
-    ~native_receiver() override {
-        if (library_ != nullptr) dlclose(library_);
-    }
-    native_receiver(const native_receiver&) = delete;
-    native_receiver& operator=(const native_receiver&) = delete;
 
     std::string name() const override { return fmt::format("{} {}", compiler_.language, compiler_.command); }
     std::string device() const override {
         const std::string said = run_tool({std::string(compiler_.command), "--version"}).said;
-        const std::size_t begin = std::max(said.find(compiler_.version), std::size_t{0});
+        const std::size_t at = said.find(compiler_.version), begin = at == std::string::npos ? 0 : at;
         return said.substr(begin, said.find('\n', begin) - begin);
     }
     double allowed(const verify_case& c) const override { return emit::allowed_difference(c, false); }
@@ -182,7 +178,7 @@ public:
 private:
     template <class F>
     F* function(const std::string& name) const {
-        void* const symbol = dlsym(library_, name.c_str());
+        void* const symbol = dlsym(library_.get(), name.c_str());
         if (symbol == nullptr) throw failure(fmt::format("{}: {}", compiler_.command, dlerror()));
         return reinterpret_cast<F*>(symbol);
     }
@@ -213,7 +209,7 @@ private:
 
     scratch_folder scratch_;
     native_compiler compiler_;
-    void* library_ = nullptr;
+    std::unique_ptr<void, int (*)(void*)> library_{nullptr, dlclose};
 };
 
 using maker = std::function<std::unique_ptr<receiver>()>;

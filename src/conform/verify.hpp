@@ -20,8 +20,8 @@ struct verification {
     bool passed() const;
 };
 
-/// Runs every case in GLSL on OpenGL, with `precise` and without, in HLSL and WGSL on Vulkan, and in C by gcc and by
-/// clang, on `rows` inputs (0: default_rows). `at` is told of each receiver and case before it runs.
+/// Runs every case in GLSL on OpenGL, with `precise` and without, in HLSL and WGSL on Vulkan, in C by gcc and by
+/// clang, and in CUDA by nvcc, on `rows` inputs (0: default_rows). `at` is told of each receiver and case before it runs.
 verification verify(std::span<const emit::verify_case> cases, std::size_t rows = 0,
                     const std::function<void(std::string_view receiver, std::string_view id)>& at = {});
 

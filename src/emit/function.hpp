@@ -42,8 +42,9 @@ struct request {
 /// the range of the registry.
 function record(std::string_view model, const request& wanted = {});
 
-/// incidence_cosine, which the overloads of two directions call, then reflected_direction, refracted_direction, refracted_cosine, critical_cosine, brewster_cosine, f0_from_eta and
-/// eta_from_f0: what surrounds the models in every library.
+/// incidence_cosine, which the overloads of two directions call, then reflected_direction, refracted_direction,
+/// refracted_cosine, critical_cosine, brewster_cosine, f0_from_eta and eta_from_f0: what surrounds the models in every
+/// library.
 std::vector<function> record_geometry();
 
 /// phong_lobe, opacity_fresnel, opacity_silhouette, opacity_attenuation and opacity_total: highlights and thin layers.

@@ -32,9 +32,9 @@ struct sole_function {
 /// For `width` 3 with RGB parameters, if the model has any that are not fixed; fixed colours give three in any case.
 sole_function sole_text(const language& l, const model_request& wanted, int width);
 
-/// Everything that the model_text of these models needs before it: what the text is and its conventions, the
-/// cosine of two directions, and boundary_type and twofold_text where a model needs them. Several texts may be pasted into one file: where
-/// there is a preprocessor these are read once.
+/// Everything that the model_text of these models needs before it: what the text is and its conventions, the cosine of
+/// two directions, and boundary_type and twofold_text where a model needs them. Several texts may be pasted into one
+/// file: where there is a preprocessor these are read once.
 std::string preamble(const language& l, std::string_view made_by, std::span<const model_request> models,
                      const style& how = {});
 

@@ -2,12 +2,14 @@
 
 #include "emit/vulkan_device.hpp"
 #include "error.hpp"
+#include "figure/leftover.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <fcntl.h>
 #include <filesystem>
 #include <sys/mman.h>
 #include <sys/wait.h>
@@ -122,13 +124,15 @@ compilation compile_for(std::string_view device, std::span<const shader_program>
         throw bad_input(fmt::format("--gpu '{}': is none of {}", device, fmt::join(devices, ", ")));
     const std::string manifest = driver_manifest();
     // what the driver says on standard error is read only where it fails
-    const int said = memfd_create("driver", 0);
+    const int said = memfd_create("driver", MFD_CLOEXEC);
     std::array<int, 2> ends{};
-    if (said < 0 || pipe(ends.data()) != 0) throw failure("cost: no pipe to the compiler's process");
+    if (said < 0 || pipe2(ends.data(), O_CLOEXEC) != 0)
+        throw failure("cost: no pipe to the compiler's process");
     std::fflush(nullptr);
     const pid_t child = fork();
     if (child < 0) throw failure("cost: the compiler's process cannot be started");
     if (child == 0) {
+        leave_leftovers_to_the_parent();
         close(ends[0]);
         dup2(said, STDERR_FILENO);
         write_all(ends[1], answer(device, programs, with_assembly, manifest));

@@ -82,8 +82,7 @@ void write_packs(const std::string& folder) {
 }
 
 std::vector<std::string> check_packs(const std::string& folder) {
-    if (!std::filesystem::is_directory(folder))
-        throw bad_input(fmt::format("--check '{}': is not a folder", folder));
+    if (!is_folder(folder)) throw bad_input(fmt::format("--check '{}': is not a folder", folder));
     std::vector<std::string> differences;
     std::set<std::string> known;
     for (const pack_file& file : all_packs()) {

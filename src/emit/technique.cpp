@@ -39,6 +39,7 @@ constexpr std::array ours = {"main",
                              "F",
                              "mirrored",
                              "reflection",
+                             "reflectance",
                              "base",
                              "lit",
                              "normal",
@@ -148,6 +149,10 @@ stage find_stage(std::string_view name) {
     if (name == "vertex") return stage::vertex;
     if (name == "fragment") return stage::fragment;
     throw bad_input(fmt::format("--stage = '{}': must be vertex or fragment", name));
+}
+
+std::string name_in_program(const dialect& d, const model_request& wanted) {
+    return freely_named(d, wanted).name;
 }
 
 std::string technique_text(const dialect& d, const technique& how, const model_request& given, stage stages,

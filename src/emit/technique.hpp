@@ -25,6 +25,10 @@ const technique& find_technique(std::string_view name);
 /// The stage "vertex" or "fragment", both for an empty name; throws bad_input.
 stage find_stage(std::string_view name);
 
+/// The name that the function of a model gets in a program: the wanted one as far as the language and what the program
+/// declares allow, empty where none is wanted and the model's is free.
+std::string name_in_program(const dialect& d, const model_request& wanted);
+
 /// A complete vertex and fragment program that uses a model by a technique: head, declarations, the functions needed
 /// and both entry points. GLSL has a text for each stage, one after the other under a rule; the others have one.
 ///

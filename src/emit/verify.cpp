@@ -303,7 +303,7 @@ void dump_cases(const std::filesystem::path& folder, std::span<const verify_case
 std::vector<verify_result> check_dump(const std::filesystem::path& folder, std::span<const verify_case> cases,
                                       bool rearranged) {
     std::vector<std::filesystem::path> files;
-    if (std::filesystem::is_directory(folder))
+    if (is_folder(folder))
         for (const auto& entry : std::filesystem::directory_iterator(folder))
             if (entry.path().string().ends_with(".out.f32")) files.push_back(entry.path());
     std::sort(files.begin(), files.end());

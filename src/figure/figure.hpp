@@ -14,6 +14,11 @@
 
 namespace fresnel {
 
+/// Eleven colours of the perceptually even ramp viridis (van der Walt and Smith 2015), as #rrggbb.
+inline constexpr std::array<std::string_view, 11> viridis_stops = {"#440154", "#482475", "#414487", "#355f8d",
+                                                                   "#2a788e", "#21918c", "#22a884", "#44bf70",
+                                                                   "#7ad151", "#bddf26", "#fde725"};
+
 enum class stroke { solid, dashed, dotted, points };
 
 /// One curve. A NaN in y is a gap. An empty label keeps it out of the legend.

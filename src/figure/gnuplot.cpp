@@ -1,22 +1,16 @@
 #include "figure/figure.hpp"
 
 #include "error.hpp"
+#include "figure/tool.hpp"
 #include "files.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
-
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace fresnel {
 
@@ -272,10 +266,10 @@ private:
                 "'#808080' lw 0.8",
                 ticks(s.x_axis), ticks(s.y_axis), ticks(s.z_axis));
         command("set xyplane at {}\nset view 62,312,1.0,0.95\nunset colorbox", s.z_axis.lo);
-        // viridis (van der Walt and Smith 2015), eleven of its colours
-        command("set palette defined (0 '#440154', 1 '#482475', 2 '#414487', 3 '#355f8d', 4 '#2a788e', 5 "
-                "'#21918c', "
-                "6 '#22a884', 7 '#44bf70', 8 '#7ad151', 9 '#bddf26', 10 '#fde725')");
+        std::string palette;
+        for (std::size_t i = 0; i < viridis_stops.size(); ++i)
+            palette += fmt::format("{}{} '{}'", i == 0 ? "" : ", ", i, viridis_stops[i]);
+        command("set palette defined ({})", palette);
         command("set pm3d depthorder border lc rgb '#40ffffff' lw 0.3");
         command("splot {} using 1:2:3 with pm3d notitle", block(rows));
         command("unset label\nset size 1,1\nset origin 0,0");
@@ -413,25 +407,11 @@ std::string themed(std::string svg, const figure& f) {
     return svg;
 }
 
-// Runs gnuplot on a script; returns what it said on standard error.
-std::string run_gnuplot(const std::filesystem::path& script_path, const std::filesystem::path& log_path) {
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, log_path.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
-                                     0600);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    std::string name = "gnuplot", defaults = "-d", argument = script_path.string(); // -d: no .gnuplotrc
-    char* const arguments[] = {name.data(), defaults.data(), argument.data(), nullptr};
-    pid_t child = 0;
-    const int error = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments, environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (error == ENOENT) throw failure("gnuplot: is not there; install the package gnuplot-nox");
-    if (error != 0) throw failure(fmt::format("gnuplot: cannot be started: {}", std::strerror(error)));
-    int status = 0;
-    waitpid(child, &status, 0);
-    const std::string said = file_content(log_path).value_or("");
-    if (status != 0) throw failure(fmt::format("gnuplot: failed: {}", said.substr(0, said.find('\n'))));
-    return said;
+void run_gnuplot(const std::filesystem::path& script) {
+    if (!has_tool("gnuplot")) throw failure("gnuplot: is not there; install the package gnuplot-nox");
+    const tool_end end = run_tool({"gnuplot", "-d", script.string()}); // -d: no .gnuplotrc
+    if (end.status != 0)
+        throw failure(fmt::format("gnuplot: failed: {}", end.said.substr(0, end.said.find('\n'))));
 }
 
 } // namespace
@@ -450,7 +430,7 @@ void write_figures(const std::vector<figure>& figures, const std::string& dir,
                 quoted((scratch.path / (f.id + "." + std::string(ending(kind)))).string()), drawing.text());
     }
     write_file((scratch.path / "script").string(), all);
-    run_gnuplot(scratch.path / "script", scratch.path / "log");
+    run_gnuplot(scratch.path / "script");
     for (const figure& f : figures)
         for (const format kind : formats) {
             const std::string name = f.id + "." + std::string(ending(kind));

@@ -20,21 +20,18 @@ namespace fresnel {
 
 namespace {
 
-/// A registered path; empty slots have none. Slots are few and fixed, because a signal handler may not allocate.
-struct slot {
-    std::atomic<const char*> path;
-    std::atomic<leftover::extent> what;
-};
-std::array<slot, 256> slots;
+/// Registered paths, and empty slots: few and fixed, because a signal handler may not allocate. What a slot is in says
+/// what may be removed, so that a handler never reads half of an entry.
+using slots = std::array<std::atomic<const char*>, 256>;
+slots contents, empty_folders;
 
-std::size_t fill_slot(const char* path, leftover::extent what) {
-    for (std::size_t i = 0; i < slots.size(); ++i) {
+/// Where the path went, null if there are too many: only this one would stay.
+std::atomic<const char*>* fill_slot(const char* path, leftover::extent what) {
+    for (auto& slot : what == leftover::extent::all ? contents : empty_folders) {
         const char* none = nullptr;
-        if (!slots[i].path.compare_exchange_strong(none, path)) continue;
-        slots[i].what = what;
-        return i;
+        if (slot.compare_exchange_strong(none, path)) return &slot;
     }
-    return slots.size(); // too many: only this one would stay
+    return nullptr;
 }
 
 // ---- in a signal handler, where only calls that are safe there are allowed --------------------------------------
@@ -78,14 +75,13 @@ void remove_all_at(int parent, const char* name) {
 }
 
 void remove_leftovers() {
-    for (slot& one : slots)
-        if (one.what == leftover::extent::all)
-            if (const char* path = one.path.exchange(nullptr)) remove_all_at(AT_FDCWD, path);
+    for (auto& slot : contents)
+        if (const char* path = slot.exchange(nullptr)) remove_all_at(AT_FDCWD, path);
     // folders after what was in them, and after those that were in them
     for (bool removed = true; removed;) {
         removed = false;
-        for (const slot& one : slots)
-            if (const char* path = one.path) removed = rmdir(path) == 0 || removed;
+        for (const auto& slot : empty_folders)
+            if (const char* path = slot) removed = rmdir(path) == 0 || removed;
     }
 }
 
@@ -101,9 +97,9 @@ leftover::leftover(std::string path, extent what)
     : path_(std::move(path)), slot_(fill_slot(path_.c_str(), what)) {}
 
 leftover::~leftover() {
-    if (slot_ == slots.size()) return;
+    if (slot_ == nullptr) return;
     // A handler on another thread has the path: the program is ending, and the text must stay for it.
-    if (slots[slot_].path.exchange(nullptr) == nullptr)
+    if (slot_->exchange(nullptr) == nullptr)
         for (;;)
             pause();
 }
@@ -117,6 +113,14 @@ void remove_leftovers_on_signals() {
         action.sa_flags = static_cast<int>(SA_RESETHAND);
         sigfillset(&action.sa_mask);
         sigaction(signal, &action, nullptr);
+    }
+}
+
+void leave_leftovers_to_the_parent() {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction action{};
+        sigaction(signal, nullptr, &action);
+        if (action.sa_handler == end_by_signal) std::signal(signal, SIG_DFL);
     }
 }
 

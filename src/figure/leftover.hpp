@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -23,18 +24,22 @@ public:
 
 private:
     std::string path_;
-    std::size_t slot_;
+    std::atomic<const char*>* slot_;
 };
 
 /// Has SIGINT, SIGTERM and SIGHUP remove every leftover and then end the program, as they would have.
 void remove_leftovers_on_signals();
+
+/// For a child process: what is on its way is its parent's.
+void leave_leftovers_to_the_parent();
 
 /// Makes a folder and those above it. Those that were not there go again with a signal that ends the program, and by
 /// `remove_empty_folders`, unless something is in them by then.
 void make_folders(const std::filesystem::path& folder, std::error_code& error);
 void remove_empty_folders();
 
-/// Files on their way into a folder that is there: written below `path`, they take their places all at once.
+/// Files on their way into a folder that is there: written below `path`, they take their places one after the other when
+/// all are written.
 class staged_folder {
 public:
     explicit staged_folder(const std::filesystem::path& destination);

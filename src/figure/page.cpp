@@ -3,6 +3,7 @@
 #include "error.hpp"
 #include "figure/figure.hpp"
 #include "figure/leftover.hpp"
+#include "files.hpp"
 
 #include <fmt/format.h>
 
@@ -42,7 +43,7 @@ std::string html_page(const std::string& title, const std::string& body) {
 void require_writable_folder(const std::string& argument, const std::string& dir) {
     std::error_code error;
     make_folders(dir, error);
-    if (error || !std::filesystem::is_directory(dir) || access(dir.c_str(), W_OK | X_OK) != 0)
+    if (error || !is_folder(dir) || access(dir.c_str(), W_OK | X_OK) != 0)
         throw bad_input(fmt::format("{} '{}': must be a folder that can be written into{}", argument, dir,
                                     error ? " (" + error.message() + ")" : ""));
 }

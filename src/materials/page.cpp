@@ -447,7 +447,7 @@ material material_of(const page& source, const std::string& path) {
     what.n = source.n, what.k = source.k;
     what.range_nm = known_range(what);
     what.category = guessed_class(what);
-    what.citation = source.references, what.doi = source.doi, what.licence = "CC0 1.0";
+    what.citation = source.references, what.doi = source.doi, what.licence = "not stated";
     what.quality = source.comments;
     for (const std::string& remark : source.diagnostics)
         what.quality += (what.quality.empty() ? "" : "; ") + remark;

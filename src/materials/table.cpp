@@ -1,6 +1,7 @@
 #include "materials/table.hpp"
 
 #include "error.hpp"
+#include "files.hpp"
 
 #include <fmt/format.h>
 
@@ -41,11 +42,16 @@ std::vector<cell> csv_cells(std::string_view line, place at) {
     for (std::size_t i = 0;; ++i) {
         cell next{"", static_cast<int>(i) + 1};
         const bool quoted = i < line.size() && line[i] == '"';
+        bool open = quoted;
         if (quoted) ++i;
         for (; i < line.size() && (quoted || line[i] != ','); ++i) {
-            if (quoted && line[i] == '"' && (++i >= line.size() || line[i] != '"')) break;
+            if (quoted && line[i] == '"' && (++i >= line.size() || line[i] != '"')) {
+                open = false;
+                break;
+            }
             next.text += line[i];
         }
+        if (open) place{at.file, at.line, next.column}.fail("a quote is not closed");
         if (i < line.size() && line[i] != ',')
             place{at.file, at.line, static_cast<int>(i) + 1}.fail(
                 "'{}' follows a closing quote; a comma must", line[i]);
@@ -309,8 +315,7 @@ void for_each_line(std::string_view text, const std::function<void(std::string_v
 }
 
 std::string read_text_file(const std::string& path) {
-    if (std::filesystem::is_directory(path))
-        throw bad_input(fmt::format("'{}' is a folder; a file is needed", path));
+    if (is_folder(path)) throw bad_input(fmt::format("'{}' is a folder; a file is needed", path));
     std::ifstream file(path, std::ios::binary);
     if (!file) throw bad_input(fmt::format("file '{}' cannot be opened", path));
     std::string text;

@@ -39,8 +39,8 @@ public:
 };
 
 /// OpenGL 4.3 compute shaders, GLSL text, in a context without window or screen. Mesa's software rasteriser unless the
-/// environment sets LIBGL_ALWAYS_SOFTWARE=0. The context is left current on this thread: a texture that is bound in it is there
-/// for the shaders. Throws no_device.
+/// environment sets LIBGL_ALWAYS_SOFTWARE=0. The context is left current on this thread: a texture that is bound in it
+/// is there for the shaders. Throws no_device.
 std::unique_ptr<compute_device> open_opengl();
 
 /// Vulkan compute shaders, SPIR-V with the entry point `main`, on Mesa's software device lavapipe unless the

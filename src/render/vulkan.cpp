@@ -146,6 +146,12 @@ private:
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);
         vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout, 0, 1, &set, 0, nullptr);
         vkCmdDispatch(commands, groups, 1, 1);
+        // waiting for the queue alone does not let the host see what shaders wrote
+        VkMemoryBarrier written{};
+        written.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
+        written.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT, written.dstAccessMask = VK_ACCESS_HOST_READ_BIT;
+        vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1,
+                             &written, 0, nullptr, 0, nullptr);
         check(vkEndCommandBuffer(commands), "commands");
         VkSubmitInfo submission{};
         submission.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;

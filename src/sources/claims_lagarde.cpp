@@ -258,7 +258,7 @@ finding dip_is_negligible() {
     double worst = 0, weighted = 0;
     std::string name;
     for (const material& m : builtin_materials()) {
-        if (m.category != "metal" || m.kind != material_kind::spectral || m.name == "caesium") continue;
+        if (!is_sample_metal(m)) continue;
         const curve_error e = schlick_error(m, color_space::acescg);
         ++count, seen += e.delta_e_max > slight ? 1 : 0;
         weighted = std::max(weighted, *std::max_element(e.cosine.begin(), e.cosine.end()));

@@ -313,9 +313,10 @@ finding gold_alone_below_half() {
     const double gold = f0_of("gold-mcpeak")[2], brass = f0_of("brass")[2],
                  titanium = f0_of("titanium-mash")[2];
     return {judgement::holds_within,
-            fmt::format("gold's blue is {:.3f}; brass has {:.3f} and the printed titanium 0.449 ({:.3f} in "
-                        "the nearest open page)",
-                        gold, brass, titanium),
+            fmt::format(
+                "gold's blue is {:.3f} (McPeak); brass has {:.3f} and the printed titanium 0.449 ({:.3f} in "
+                "the nearest open page)",
+                gold, brass, titanium),
             "two others lie below 0.5, less far",
             {{"gold", gold}, {"brass", brass}}};
 }
@@ -334,9 +335,10 @@ finding relative_index() {
 finding water_changes_dielectrics() {
     const auto left = [](const char* name) { return luminance(f0_of(name, 1.33)) / luminance(f0_of(name)); };
     return {judgement::holds,
-            fmt::format("under water crown glass keeps {:.0f} % of its F0, diamond {:.0f} %, iron {:.0f} %, "
-                        "silver {:.0f} %",
-                        100 * left("n-bk7"), 100 * left("diamond"), 100 * left("iron"), 100 * left("silver")),
+            fmt::format("under water crown glass keeps {:.1f} % of its F0, diamond {:.1f} %, iron {:.1f} % "
+                        "(Querry: {:.1f} %), silver {:.1f} %",
+                        100 * left("n-bk7"), 100 * left("diamond"), 100 * left("iron"),
+                        100 * left("iron-querry"), 100 * left("silver")),
             "n = 1.33",
             {{"glass", left("n-bk7")},
              {"diamond", left("diamond")},

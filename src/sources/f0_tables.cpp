@@ -401,8 +401,8 @@ regenerated table_9_4() {
         return luminance_of(name, water_index) / luminance_of(name, 1);
     };
     result.measured = fmt::format(
-        "{}. What is left of F0 under water: skin {:.1f} %, K7 {:.1f} %, diamond {:.0f} %, iron "
-        "{:.0f} %, silver {:.1f} %.",
+        "{}. What is left of F0 under water: skin {:.1f} %, K7 {:.1f} %, diamond {:.1f} %, iron "
+        "{:.1f} %, silver {:.1f} %.",
         match_text(result.checks), 100 * ratio_of("skin"), 100 * ratio_of("k7"), 100 * ratio_of("diamond"),
         100 * ratio_of("iron-querry"), 100 * ratio_of("silver-rakic-ld"));
     result.chosen =

@@ -3,6 +3,8 @@
 #include "figure/leftover.hpp"
 #include "figure/page.hpp"
 
+#include <fresnel/color.hpp>
+
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -23,9 +25,8 @@ bool belongs(const std::string& id, std::string_view text) { return id.substr(0,
 
 std::string cell_html(const table::cell& c, bool numeric) {
     if (c.swatch)
-        return fmt::format(
-            "<td><span class=\"swatch\" style=\"width:4rem;background:{}\"></span></td>",
-            fmt::format("#{:02x}{:02x}{:02x}", (*c.swatch)[0], (*c.swatch)[1], (*c.swatch)[2]));
+        return fmt::format("<td><span class=\"swatch\" style=\"width:4rem;background:{}\"></span></td>",
+                           to_hex(*c.swatch));
     return fmt::format("<td class=\"{}{}\">{}</td>", numeric ? "" : "left", c.remarkable ? " bad" : "",
                        markup_text(c.text));
 }

@@ -23,6 +23,7 @@
 #include <fresnel/number.hpp>
 
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 #ifndef FRESNEL_ISA_NAMESPACE
@@ -260,7 +261,7 @@ FRESNEL_INLINE void store_past_caches(const Floats& a, float* to) {
 #endif
     if constexpr (sizeof(Floats) == 16) return _mm_stream_ps(to, __m128(a));
 #endif
-    __builtin_memcpy(to, &a, sizeof a);
+    std::memcpy(to, &a, sizeof a);
 }
 
 FRESNEL_INLINE void fence() {
@@ -304,10 +305,10 @@ public:
     /// N values from memory, of any alignment.
     static FRESNEL_INLINE batch load(const float* from) {
         floats result;
-        __builtin_memcpy(&result, from, sizeof result);
+        std::memcpy(&result, from, sizeof result);
         return batch(result);
     }
-    FRESNEL_INLINE void store(float* to) const { __builtin_memcpy(to, &lanes_, sizeof lanes_); }
+    FRESNEL_INLINE void store(float* to) const { std::memcpy(to, &lanes_, sizeof lanes_); }
     /// The same for results that no cache could keep, which spares reading what they replace. `to` is a multiple of
     /// their size; lanes::fence() makes them visible to other threads.
     FRESNEL_INLINE void store_past_caches(float* to) const { lanes::store_past_caches(lanes_, to); }
@@ -349,12 +350,12 @@ public:
     /// The lanes' bit patterns, and back.
     friend FRESNEL_INLINE words bits(batch x) {
         words result;
-        __builtin_memcpy(&result, &x.lanes_, sizeof result);
+        std::memcpy(&result, &x.lanes_, sizeof result);
         return result;
     }
     static FRESNEL_INLINE batch with_bits(words x) {
         batch result;
-        __builtin_memcpy(&result.lanes_, &x, sizeof x);
+        std::memcpy(&result.lanes_, &x, sizeof x);
         return result;
     }
     static FRESNEL_INLINE words word(std::uint32_t x) { return lanes::broadcast<std::uint32_t>(x, words{}); }

@@ -6,14 +6,15 @@
 //     expression_graph graph;
 //     const recording scope(graph);
 //     const sym F = schlick(graph.input("f0", 3), graph.input("cos_i"));
-//     graph[F.node()] is the sum f0 + (1 - f0) m^5, graph[graph[F.node()].operands[1]] the product, ...
+//     graph[F.node()] is the sum f0 + (1 - f0) x^5, graph[graph[F.node()].operands[1]] the product, ...
 //
 // The graph is one flat array in which every node stands after its operands, so that a walk over it is a loop and
 // never a recursion. A node is made once: the same operation on the same operands gives the same node, whose
 // operands keep the order in which they were first written. Operations on constants alone are done at once, in
-// float, one rounding each, as the float model does them; x + 0, x - 0, 1 x, x / 1 and 0 x are x or 0, which is so for
-// every finite x. Nothing else is rewritten and no sum or product is re-associated, so that the text made of a
-// graph gives the bits of the float model.
+// float, one rounding each, as the float model does them; x + 0, x - 0, 1 x, x / 1, x^1 and -(-x) are x and 0 x is 0,
+// which is so for every finite x but for the sign of a zero; a `select` between equal nodes, or by a comparison of
+// constants, is the node it gives. Nothing else is rewritten and no sum or product is re-associated, so that the text made
+// of a graph gives the bits of the float model.
 //
 // A node is one number, or three that are computed alike: an RGB value, or a vector where `dot` makes a number of
 // two. An operation on one and three gives three.

@@ -1,7 +1,7 @@
 #ifndef FRESNEL_CONDUCTOR
 #define FRESNEL_CONDUCTOR
 
-// Exact reflectance of an absorbing medium seen from a transparent one, accurate in float everywhere.
+// Exact reflectance of an absorbing medium seen from a transparent one, accurate in float but at the critical angle.
 //
 //   R_s = |c - q|^2 / |c + q|^2, R_p = R_s |q c - s^2|^2 / |q c + s^2|^2, q^2 = (n + i k)^2 - s^2
 //

@@ -1,7 +1,7 @@
 #ifndef FRESNEL_DIELECTRIC
 #define FRESNEL_DIELECTRIC
 
-// Exact reflectance between two transparent media, accurate in float everywhere.
+// Exact reflectance between two transparent media, accurate in float but at the critical angle.
 //
 //   R_s = E^2 / (E^2 + 4 c g (g + c)^2), R_p = R_s ((c g - s^2) / (c g + s^2))^2, E = eta^2 - 1,
 //   g^2 = E + c^2

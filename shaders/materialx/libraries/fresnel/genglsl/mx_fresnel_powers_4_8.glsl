@@ -1,7 +1,7 @@
 #ifndef FRESNEL_POWERS_4_8
 #define FRESNEL_POWERS_4_8
 
-// Two powers at Schlick's cost, better on dielectrics.
+// Two powers for one operation more than Schlick, better on dielectrics.
 //
 //   F = f0 + x^4 ((a - f0) + (1 - a) x^4), a = 0.55, x = 1 - cos_i
 //

@@ -1,12 +1,9 @@
 #pragma once
 
-#include "files.hpp"
-
-#include <filesystem>
 #include <string>
 #include <vector>
 
-namespace fresnel::conform {
+namespace fresnel {
 
 /// How a program ended, and what it said on standard output and standard error together.
 struct tool_end {
@@ -20,7 +17,4 @@ tool_end run_tool(const std::vector<std::string>& line);
 /// Whether such a program is on PATH, or is that file.
 bool has_tool(const std::string& name);
 
-/// All bytes of a file. Throws failure.
-std::string read_file(const std::filesystem::path& path);
-
-} // namespace fresnel::conform
+} // namespace fresnel

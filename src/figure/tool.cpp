@@ -1,9 +1,11 @@
-#include "conform/tool.hpp"
+#include "figure/tool.hpp"
 
 #include "error.hpp"
+#include "files.hpp"
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
@@ -11,12 +13,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace fresnel::conform {
-
-std::string read_file(const std::filesystem::path& path) {
-    if (const auto content = file_content(path)) return *content;
-    throw failure(fmt::format("{}: cannot be read", path.string()));
-}
+namespace fresnel {
 
 tool_end run_tool(const std::vector<std::string>& line) {
     const scratch_folder scratch;
@@ -37,8 +34,9 @@ tool_end run_tool(const std::vector<std::string>& line) {
     posix_spawn_file_actions_destroy(&actions);
     if (error != 0) throw failure(fmt::format("{}: cannot be started: {}", line[0], std::strerror(error)));
     int status = 0;
-    waitpid(child, &status, 0);
-    return {status, read_file(log)};
+    while (waitpid(child, &status, 0) < 0)
+        if (errno != EINTR) throw failure(fmt::format("{}: lost: {}", line[0], std::strerror(errno)));
+    return {status, file_content(log).value_or("")};
 }
 
 bool has_tool(const std::string& name) {
@@ -53,4 +51,4 @@ bool has_tool(const std::string& name) {
     return false;
 }
 
-} // namespace fresnel::conform
+} // namespace fresnel
