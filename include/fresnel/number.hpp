@@ -34,7 +34,7 @@
 // comparisons give bool (float, double, a multiprecision number) needs only the arithmetic: select, min,
 // max and let below already serve it. Specialise std::numeric_limits for it as well: conductor_precise asks for its
 // digits. A type with fused multiply-adds may have product_error(x, y, x * y), the rounding error of a product, which is
-// otherwise computed. tests/own_number_test.cpp is such a type in fifty lines.
+// otherwise computed, to the same bits but where it is below the smallest number. tests/own_number_test.cpp is such a type in fifty lines.
 
 #include <cmath>
 #include <type_traits>

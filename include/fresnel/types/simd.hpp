@@ -342,7 +342,7 @@ public:
     }
 #endif
 #ifdef FRESNEL_FUSED
-    friend FRESNEL_INLINE batch product_error(batch x, batch y, batch product) {
+    friend FRESNEL_INLINE batch fused_error(batch x, batch y, batch product) {
         return batch(lanes::fused(x.lanes_, y.lanes_, -product.lanes_));
     }
 #endif
@@ -390,7 +390,7 @@ template <int N>
 FRESNEL_INLINE batch_sum<batch<float, N>> exact_product(batch<float, N> x, batch<float, N> y) {
     const batch<float, N> product = x * y;
 #ifdef FRESNEL_FUSED
-    return {product, product_error(x, y, product)};
+    return {product, fused_error(x, y, product)};
 #else
     const auto [x1, x2] = split(x);
     const auto [y1, y2] = split(y);

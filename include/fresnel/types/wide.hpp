@@ -99,14 +99,6 @@ public:
     friend FRESNEL_INLINE mask operator>=(const wide& x, const wide& y) { return y <= x; }
     // clang-format on
 
-    friend FRESNEL_INLINE wide product_error(const wide& x, const wide& y, const wide& product)
-        requires requires(V a) { product_error(a, a, a); }
-    {
-        wide result;
-        for (int i = 0; i < K; ++i)
-            result.part_[i] = product_error(x.part_[i], y.part_[i], product.part_[i]);
-        return result;
-    }
     friend FRESNEL_INLINE wide sqrt(const wide& x) {
         wide result;
         for_parts([&](int i) {
