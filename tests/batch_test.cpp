@@ -57,8 +57,6 @@ float argument(const parameter& p, random_numbers& random) {
                                                              : random.uniform(p.min, std::min(p.max, 5.0)));
 }
 
-constexpr parameter angle{"cos_i", "1", 0, 1, 1};
-
 template <class Row>
 points random_points(const Row& row, std::size_t count) {
     random_numbers random(21);
@@ -67,7 +65,7 @@ points random_points(const Row& row, std::size_t count) {
         std::size_t k = 0;
         for (const parameter& p : row.parameters)
             result.columns[k++].push_back(argument(p, random));
-        result.columns[k].push_back(argument(angle, random));
+        result.columns[k].push_back(argument(row::cos_i, random));
         // an index match now and then, also where squares are too small for their rounding errors to be floats
         if (row.kind == model_kind::exact && random.one_in(20)) {
             result.columns[1].back() = result.columns[0].back();

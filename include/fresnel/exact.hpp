@@ -262,7 +262,8 @@ boundary<T> conductor_fast(T n_i, T n_t, T k_t, T cos_i) {
 ///
 /// n_i, n_t, k_t, cos_i, returns   as `conductor`; k_t = 0 gives the dielectric
 /// error   float32, eta >= 0.1: relative 1e-6 in R and absolute 1e-6 in T, the critical angle included; from 1000 times
-///         denser media, whose critical angle is at 0.06 degrees, 5e-5 in R
+///         denser media, whose critical angle is at 0.06 degrees, 5e-5 in R. Not for n_t = n_i and k_t below 1e-17, whose
+///         square is lost beside that of cos_i
 /// source  as `conductor`; the sums after Knuth, Veltkamp and Dekker. Needs an arithmetic that does not
 ///         re-associate (no -ffast-math)
 template <class T>

@@ -71,6 +71,7 @@ constexpr auto reflectance(const X& result) {
 
 namespace row {
 
+inline constexpr parameter cos_i{"cos_i", "1", 0, 1, 1}; ///< of every model, beside its parameters
 inline constexpr parameter n_i{"n_i", "1", 0.01, 100, 1, true, "index in front of the surface"};
 inline constexpr parameter n_t{"n_t", "1", 0.001, 1000, 1.5, false, "index behind it"};
 inline constexpr parameter k_t{"k_t", "1", 0, 10000, 0, true, "its imaginary part"};

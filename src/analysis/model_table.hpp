@@ -38,7 +38,7 @@ const model_row<T>& find_model(std::string_view name);
 void check_range(const parameter& p, double value);
 
 /// The argument every model has beside its parameters.
-inline constexpr parameter cosine{"cos_i", "1", 0, 1, 1};
+inline constexpr const parameter& cosine = row::cos_i;
 
 /// Whether it is the index in front, which is one number where the others are RGB.
 inline bool is_ambient(const parameter& p) { return p.name == std::string_view("n_i"); }

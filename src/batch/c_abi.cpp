@@ -82,8 +82,6 @@ fresnel_error evaluate(quantity wanted, const c_call& call, std::span<float* con
 
 // ---- ranges -----------------------------------------------------------------------------------------------
 
-constexpr parameter angle{"cos_i", "1", 0, 1, 1};
-
 /// The place of the first value out of range, `count` where there is none. A bound of 0.01 admits 0.01f.
 std::size_t first_outside(const parameter& range, const batch_argument& values, std::size_t count) {
     const float min = static_cast<float>(range.min), max = static_cast<float>(range.max);
@@ -181,7 +179,7 @@ fresnel_error fresnel_check(const char* model, const float* const* parameters, c
     for (std::size_t k = 0; k <= in.parameter_count; ++k) {
         const bool is_angle = k == in.parameter_count;
         const std::size_t outside =
-            first_outside(is_angle ? angle : in.model->parameters[k], in.inputs[k], count);
+            first_outside(is_angle ? row::cos_i : in.model->parameters[k], in.inputs[k], count);
         if (outside == count) continue;
         if (argument) *argument = k;
         if (index) *index = outside;

@@ -10,11 +10,12 @@
 // root or a quotient, the guarded side is a constant, its derivative 0, and no 0 / 0 arises on the other.
 //
 // Infinite derivatives that are true, and where: the square root at a critical angle; sqrt f0 at f0 = 0 in
-// powers_3_6_9; x^power at x = 0 for a power below 1. At a kink (a clamp, max) the derivative is that of the side
-// that is returned, but where rounding alone may have taken a value past a constant, as at cos_i = 0, that of the value.
-// Where a value has lost its digits its derivative has too: of the fast exact models near an index match and, by a k_t
-// below 1e-8, beyond the critical angle; of gulbrandsen at r = 0 in float. Between equal media at cos_i = 0 R jumps, and
-// conductor_precise gives NaN.
+// powers_3_6_9; x^power at x = 0 for a power below 1. At a kink (a clamp, max) the derivative is that of the side that
+// is returned, but where rounding alone may have taken a value past a constant, as at cos_i = 0, that of the value. So
+// where a clamp begins just there (f82 = 1 at cos_i = 0) it is the slope without the clamp, be it infinite. Where a
+// value has lost its digits its derivative has too: of the fast exact models near an index match and, by a k_t below
+// 1e-8, beyond the critical angle; of gulbrandsen at r = 0 in float. Between equal media at cos_i = 0 R jumps, and
+// conductor_precise gives NaN; schlick_internal, whose slope there is -5, gives 0.
 
 #include <fresnel/number.hpp>
 
