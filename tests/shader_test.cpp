@@ -61,6 +61,7 @@ TEST_F(shader, says_above_each_function_what_it_is_and_where_from) {
           "// error   at most 0.0406, certified for", "// cost    ", "// source  Hoffman 2019"})
         expect_holds(hlsl, piece);
     expect_holds(hlsl, "point away from the surface");
+    expect_holds(text("conductor"), "up to 1e-1 at a critical angle of small k_t\n");
 }
 
 TEST_F(shader, library_of_every_language_holds_every_model) {
