@@ -1,6 +1,7 @@
 // `fresnel shader` as a user runs it.
 
 #include "command.hpp"
+#include "shader_compilers.hpp"
 
 #include <regex>
 #include <sstream>
@@ -17,7 +18,19 @@ protected:
         EXPECT_EQ(result.code, 0) << arguments << "\n" << result.err;
         return result.out;
     }
+
+    /// Whether it is all right, by a compiler that reads it from standard input.
+    bool compiles(const std::string& compiler, const std::string& source) const {
+        write("source", source);
+        const std::string line = compiler + " <'" + (folder / "work/source").string() + "' >/dev/null 2>&1";
+        return std::system(line.c_str()) == 0;
+    }
 };
+
+constexpr const char* c_compiler = "cc -std=gnu11 -Wall -Werror -Wno-unused-function -fsyntax-only -x c -";
+constexpr const char* glsl_compiler = "glslangValidator --stdin -S frag";
+
+std::string fragment_shader(const std::string& glsl) { return "#version 330\n" + glsl + "void main() {}\n"; }
 
 std::string without_comments(const std::string& text) {
     return std::regex_replace("\n" + text, std::regex("\n? *//[^\n]*"), "");
@@ -101,6 +114,46 @@ TEST_F(shader, compensated_arithmetic_is_called_and_printed_once) {
                 << language << " " << arguments;
         }
     EXPECT_EQ(text("schlick --lang glsl").find("two_sum"), std::string::npos);
+}
+
+TEST_F(shader, no_variable_hides_the_function_that_makes_it) {
+    const std::regex hidden(R"(\b(\w+) = \1\()");
+    for (const char* language : language_names)
+        for (const char* fixed : {"k_t=1,2,3", "n_t=1.5,0.5,2", "n_i=1,1.1,1.2", "k_t=1"}) {
+            const std::string printed =
+                text(std::string("conductor_precise --fix ") + fixed + " --lang " + language);
+            EXPECT_FALSE(std::regex_search(printed, hidden)) << language << " " << fixed << "\n" << printed;
+        }
+    const std::string rgb = "conductor_precise --fix k_t=1,2,3";
+    EXPECT_TRUE(compiles(c_compiler, text(rgb + " --lang c")));
+    if (has_command("glslangValidator")) {
+        EXPECT_TRUE(compiles(glsl_compiler, fragment_shader(text(rgb + " --lang glsl"))));
+    }
+}
+
+TEST_F(shader, a_library_and_a_text_that_share_helpers_share_a_file) {
+    for (const char* language : {"glsl", "essl", "hlsl", "msl", "osl", "cuda", "c", "slang"}) {
+        const std::string lang = std::string(" --lang ") + language;
+        const std::string library = text("--all" + lang);
+        const std::string one = text("conductor_precise --fix n_i=1.333 --name wet" + lang);
+        for (const std::string& printed : {library, one}) {
+            const std::regex guarded("#ifndef (FRESNEL_[A-Z]+_TWOFOLD)\n#define \\1\n");
+            std::smatch guard;
+            ASSERT_TRUE(std::regex_search(printed, guard, guarded)) << language;
+            const std::size_t begin = static_cast<std::size_t>(guard.position());
+            for (const char* helper : {"two_sum(", "twofold_product("}) {
+                EXPECT_LT(begin, printed.find(helper)) << language;
+                EXPECT_LT(printed.find(helper), printed.find("#endif\n", begin)) << language;
+            }
+        }
+        for (const std::string& both : {library + one, one + library}) {
+            if (lang == " --lang c") {
+                EXPECT_TRUE(compiles(c_compiler, both));
+            } else if (lang == " --lang glsl" && has_command("glslangValidator")) {
+                EXPECT_TRUE(compiles(glsl_compiler, fragment_shader(both)));
+            }
+        }
+    }
 }
 
 TEST_F(shader, fixed_parameters_are_gone_and_folded) {

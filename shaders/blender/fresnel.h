@@ -170,6 +170,9 @@ float opacity_total(float attenuation, float fresnel) {
 
 // ---- twice the digits ----------------------------------------------------------------------------------------
 
+#ifndef FRESNEL_OSL_TWOFOLD
+#define FRESNEL_OSL_TWOFOLD
+
 struct fresnel_float2 {
     float x;
     float y;
@@ -224,6 +227,8 @@ fresnel_float2 twofold_product(fresnel_float2 a, fresnel_float2 b) {
     fresnel_float2 p = two_product(a.x, b.x);
     return two_sum(p.x, p.y + (a.x * b.y + a.y * b.x));
 }
+
+#endif
 
 // ---- exact ---------------------------------------------------------------------------------------------------
 

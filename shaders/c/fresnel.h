@@ -179,6 +179,9 @@ static inline float opacity_total(float attenuation, float fresnel) {
 
 // ---- twice the digits ----------------------------------------------------------------------------------------
 
+#ifndef FRESNEL_C_TWOFOLD
+#define FRESNEL_C_TWOFOLD
+
 typedef struct {
     float x, y;
 } fresnel_float2;
@@ -232,6 +235,8 @@ static inline fresnel_float2 twofold_product(fresnel_float2 a, fresnel_float2 b)
     const fresnel_float2 p = two_product(a.x, b.x);
     return two_sum(p.x, p.y + (a.x * b.y + a.y * b.x));
 }
+
+#endif
 
 // ---- exact ---------------------------------------------------------------------------------------------------
 

@@ -168,6 +168,9 @@ float opacity_total(float attenuation, float fresnel) {
 
 // ---- twice the digits ----------------------------------------------------------------------------------------
 
+#ifndef FRESNEL_GLSL_TWOFOLD
+#define FRESNEL_GLSL_TWOFOLD
+
 // a + b without rounding error: x is the rounded sum, y what it lacks (Knuth 1969).
 // Right only where the compiler does not rearrange: no fast math, precise where the language has it.
 vec2 two_sum(float a, float b) {
@@ -212,6 +215,8 @@ vec2 twofold_product(vec2 a, vec2 b) {
     vec2 p = two_product(a.x, b.x);
     return two_sum(p.x, p.y + (a.x * b.y + a.y * b.x));
 }
+
+#endif
 
 // ---- exact ---------------------------------------------------------------------------------------------------
 

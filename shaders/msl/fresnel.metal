@@ -171,6 +171,9 @@ inline float opacity_total(float attenuation, float fresnel) {
 
 // ---- twice the digits ----------------------------------------------------------------------------------------
 
+#ifndef FRESNEL_MSL_TWOFOLD
+#define FRESNEL_MSL_TWOFOLD
+
 // a + b without rounding error: x is the rounded sum, y what it lacks (Knuth 1969).
 // Right only where the compiler does not rearrange: no fast math, precise where the language has it.
 inline float2 two_sum(float a, float b) {
@@ -215,6 +218,8 @@ inline float2 twofold_product(float2 a, float2 b) {
     float2 p = two_product(a.x, b.x);
     return two_sum(p.x, p.y + (a.x * b.y + a.y * b.x));
 }
+
+#endif
 
 // ---- exact ---------------------------------------------------------------------------------------------------
 

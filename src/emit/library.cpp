@@ -306,7 +306,7 @@ std::string library_text(const language& l) {
                                       : row.kind == model_kind::artistic ? "artistic"
                                                                          : "approximations";
         if (row.kind == model_kind::exact && title.empty())
-            text += rule("twice the digits") + twofold_text(l) + "\n";
+            text += rule("twice the digits") + once(l, "_twofold", twofold_text(l)) + "\n";
         if (kind != title) text += rule(title = kind);
         text += model_text(l, {std::string(row.name)}) + "\n";
     }
