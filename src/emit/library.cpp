@@ -153,10 +153,6 @@ const function& cosine_function() {
     return f;
 }
 
-std::string rule(std::string_view title) {
-    return fmt::format("// ---- {} {}\n\n", title, std::string(104 - title.size(), '-'));
-}
-
 } // namespace
 
 std::string boundary_type(const language& l) {
