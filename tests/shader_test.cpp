@@ -164,6 +164,29 @@ TEST_F(shader, fixed_parameters_are_gone_and_folded) {
     expect_holds(text("schlick --fix f0=1,0.78,0.34"), "vec3 f0 = vec3(1.0, 0.78, 0.34);\n");
 }
 
+TEST_F(shader, error_is_said_of_constants_that_it_was_taken_over) {
+    for (const char* arguments :
+         {"schlick --fix f0=0.04", "schlick_f90 --fix f90=1", "schlick_internal --fix eta=0.75",
+          "schlick_nk --fix n=0.2 --fix k=3", "hoffman"})
+        expect_holds(text(arguments), "// error   at most ");
+    for (const char* arguments : {"dielectric --fix n_i=1.333", "conductor --fix k_t=0"})
+        expect_holds(text(arguments), "// error   rounding only, ");
+    for (const char* arguments :
+         {"schlick --fix f0=0.9", "schlick_f90 --fix f90=0", "schlick_f90 --fix f90=1,1,0.9",
+          "schlick_internal --fix eta=0.99", "schlick_nk --fix k=0", "hoffman --fix power=0.1",
+          "f82 --fix f0=0.9 --fix f82=1"})
+        expect_holds(text(arguments), "// error   not known for these constants\n");
+}
+
+TEST_F(shader, ends_of_a_range_can_be_fixed) {
+    text("dielectric --fix n_i=0.01");
+    text("schlick_internal --fix eta=0.01");
+    EXPECT_EQ(run("lut dielectric --fix n_i=0.01 --fix n_t=0.001").code, 0);
+    expect_refused("shader dielectric --fix n_i=0.0099999999", {"n_i = 0.0099999999", "[0.01, 100]"});
+    expect_refused("shader schlick --fix f0=1.00000001", {"f0 = 1.00000001", "[0, 1]"});
+    expect_refused("lut dielectric --fix n_i=100.000001", {"n_i = 100.000001", "[0.01, 100]"});
+}
+
 // In the equations above a function c is cos_i.
 TEST_F(shader, folded_constants_are_not_called_c) {
     expect_holds(text("schlick --fix f0=1,0.75,0.25"), "vec3 one_minus_f0 = vec3(0.0, 0.25, 0.75);\n");

@@ -38,12 +38,24 @@ std::string source_of(const options& given, const material& substance) {
                        ambient == 1 ? "" : fmt::format(", ambient {}", ambient), substance.citation);
 }
 
+// A fit gives every parameter of the model.
+void refuse_fitted(const options& given, const model_row<double>& row) {
+    for (const std::string& fixed : given.fixed)
+        for (const parameter& p : row.parameters)
+            if (fixed.substr(0, fixed.find('=')) == p.name)
+                throw bad_input(
+                    fmt::format("--fix '{}': is what --material '{}' gives; leave one of them out", fixed,
+                                given.material));
+}
+
 void add_material(const options& given, const std::string& model, emit::model_request& request) {
-    if (find_model<double>(model).kind == model_kind::exact)
+    const model_row<double>& row = find_model<double>(model);
+    if (row.kind == model_kind::exact)
         throw bad_input(
             fmt::format("--material with {}: n and k have no RGB values; gulbrandsen has an RGB index "
                         "through the exact colours",
                         model));
+    refuse_fitted(given, row);
     const material substance = load_material(given.material);
     const comparison all = compare(substance, chosen_space(given.colour), chosen_ambient(given.colour));
     const model_fit* found = all.find(model);
@@ -53,12 +65,9 @@ void add_material(const options& given, const std::string& model, emit::model_re
     request.error = fmt::format("at most {:.3g} in a channel, CIEDE2000 {:.2g}, against the exact colours",
                                 found->error.worst(), found->error.delta_e_max);
     request.about = source_of(given, substance);
-    const auto& parameters = find_model<double>(model).parameters;
-    for (std::size_t i = 0; i < parameters.size(); ++i)
-        request.fixed.try_emplace(std::string(parameters[i].name),
-                                  std::array{static_cast<float>(found->values[0][i]),
-                                             static_cast<float>(found->values[1][i]),
-                                             static_cast<float>(found->values[2][i])});
+    for (std::size_t i = 0; i < row.parameters.size(); ++i)
+        request.fixed[std::string(row.parameters[i].name)] = {found->values[0][i], found->values[1][i],
+                                                              found->values[2][i]};
 }
 
 std::string made_by(const options& given) {
