@@ -268,6 +268,10 @@ TEST_F(shader, hostile_names_are_made_legal_and_said) {
     EXPECT_EQ(result.code, 0);
     expect_holds(result.out, "float mix_(float f0, float cos_i)");
     expect_holds(result.err, "the function is called mix_");
+    for (const char* language : {"c", "cuda"})
+        for (const std::string macro : {"linux", "unix"})
+            expect_holds(text("schlick --lang " + std::string(language) + " --name " + macro),
+                         " " + macro + "_(");
 }
 
 TEST_F(shader, out_writes_one_file_and_nothing_beside_it) {
