@@ -311,6 +311,14 @@ TEST_F(shader, bad_input_is_refused_by_name) {
     expect_refused("shader schlick --material unobtainium", {"unobtainium"});
     expect_refused("shader schlick f82 --name mine", {"--name", "mine", "2"});
     expect_refused("shader schlick --all", {"--all"});
+    expect_refused("shader schlick f82 schlick", {"MODEL 'schlick'", "twice"});
+    expect_refused("shader schlick --material glass --fix f0=0.9",
+                   {"--fix 'f0=0.9'", "--material 'glass'", "leave one of them out"});
+    expect_refused("shader schlick --material glass --fix f1=0.9", {"f1", "schlick", "f0"});
+    for (const std::string option : {"--material", "--name", "--technique", "--stage", "--out"})
+        expect_refused("shader schlick " + option + " ''", {option + ": must not be ''"});
+    for (const std::string option : {"--write", "--check", "--verify --dump", "--verify --compare"})
+        expect_refused("shader " + option + " ''", {option.substr(option.rfind('-') - 1), "must not be ''"});
     expect_refused("shader --check nowhere", {"--check", "nowhere"});
 }
 
@@ -328,6 +336,10 @@ TEST_F(shader, an_option_that_nothing_takes_is_refused) {
 TEST_F(shader, a_folder_that_cannot_be_written_is_refused_by_name) {
     write("file", "");
     expect_refused("shader schlick --out file/a.glsl", {"--out", "file/a.glsl"});
+    for (const std::string to : {"file", "file/x", "/proc/x"}) {
+        expect_refused("shader --write " + to, {"--write '" + to + "': must be a folder"});
+        expect_refused("shader --verify schlick --dump " + to, {"--dump '" + to + "': must be a folder"});
+    }
 }
 
 } // namespace

@@ -11,9 +11,12 @@
 #include "emit/technique.hpp"
 #include "error.hpp"
 #include "figure/figure.hpp"
+#include "figure/page.hpp"
 #include "materials/catalog.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace fresnel::cli {
 
@@ -95,6 +98,12 @@ void refuse_own_options(const options& given) {
                 fmt::format("{} '{}': --all takes no constants; name a MODEL instead of it", option, value));
 }
 
+void refuse_repeated(const std::vector<std::string>& models) {
+    for (auto model = models.begin(); model != models.end(); ++model)
+        if (std::find(models.begin(), model, *model) != model)
+            throw bad_input(fmt::format("MODEL '{}': is given twice", *model));
+}
+
 void check(const options& given) {
     if (given.all == !given.models.empty())
         throw bad_input(given.all ? "--all: takes no MODEL" : "MODEL: name one or more, or give --all");
@@ -157,8 +166,10 @@ void check_folder(const std::string& folder) {
 }
 
 void run(const options& given) {
+    refuse_repeated(given.models);
     if (given.verify.wanted) return run_verify(given.verify, given.models);
     if (!given.write.empty()) {
+        require_writable_folder("--write", given.write);
         emit::write_packs(given.write);
         fmt::print("{}\n", given.write);
         return;
@@ -203,24 +214,27 @@ void add_shader(CLI::App& app) {
         ->type_name("PARAM=VALUE")
         ->allow_extra_args(false);
     command->add_option("--material", given->material, "parameters fitted to that material, as constants")
-        ->type_name("NAME");
-    command->add_option("--name", given->name, "name of the function")
-        ->type_name("N")
-        ->check([](const std::string& name) { return name.empty() ? "'' is no name" : ""; });
+        ->type_name("NAME")
+        ->check(refuse_empty);
+    command->add_option("--name", given->name, "name of the function")->type_name("N")->check(refuse_empty);
     command
         ->add_option("--technique", given->technique,
                      "a complete vertex and fragment program of one MODEL: none, one-minus-cos, per-vertex, "
                      "per-pixel, lut, highlights or semitransparent")
-        ->type_name("T");
+        ->type_name("T")
+        ->check(refuse_empty);
     command->add_option("--stage", given->stage, "of a program that stage alone: vertex or fragment")
-        ->type_name("S");
-    command->add_option("--out", given->out, "write this file")->type_name("FILE");
+        ->type_name("S")
+        ->check(refuse_empty);
+    command->add_option("--out", given->out, "write this file")->type_name("FILE")->check(refuse_empty);
     command->add_flag("--all", given->all, "every model and the geometry around them");
     command->add_option("--write", given->write, "write every generated file under this folder")
-        ->type_name("DIR");
+        ->type_name("DIR")
+        ->check(refuse_empty);
     command
         ->add_option("--check", given->check, "compare this folder with what --write makes; 1 if they differ")
-        ->type_name("DIR");
+        ->type_name("DIR")
+        ->check(refuse_empty);
     add_colour_options(*command, given->colour);
     for (const char* folder : {"--write", "--check"})
         for (const char* other : {"MODEL", "--lang", "--fix", "--material", "--name", "--out", "--all",
