@@ -250,6 +250,9 @@ TEST(exact_forms, float32_errors_stay_within_the_promise_where_a_search_found_th
               6e-6);
     EXPECT_LE(relative(plain, 2.0669026374816895f, 0.2082604467868805f, 0.9949108958244324f), 0.1)
         << "at a critical angle";
+    const auto absorbing = [](auto... x) { return conductor(x...); };
+    EXPECT_GE(relative(absorbing, 1.0f, 0.101350002f, 1e-6f, 0.994850874f), 1e-2) << "of small k_t too";
+    EXPECT_LE(relative(absorbing, 1.0f, 0.104500003f, 1e-3f, 0.994521797f), 3e-4);
 }
 
 TEST(exact_forms, float64_errors_stay_below_1e_12_away_from_the_critical_angle) {

@@ -26,8 +26,6 @@ namespace {
 using namespace fresnel;
 using namespace fresnel::emit;
 
-using fixed_values = std::map<std::string, std::array<float, 3>>;
-
 fixed_values one(const std::string& name, float value) { return {{name, {value, value, value}}}; }
 
 lut_subject glass() { return model_subject("dielectric", one("n_t", 1.5f)); }

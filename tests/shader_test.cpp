@@ -1,6 +1,7 @@
 // `fresnel shader` as a user runs it.
 
 #include "command.hpp"
+#include "shader_compilers.hpp"
 
 #include <regex>
 #include <sstream>
@@ -17,7 +18,19 @@ protected:
         EXPECT_EQ(result.code, 0) << arguments << "\n" << result.err;
         return result.out;
     }
+
+    /// Whether it is all right, by a compiler that reads it from standard input.
+    bool compiles(const std::string& compiler, const std::string& source) const {
+        write("source", source);
+        const std::string line = compiler + " <'" + (folder / "work/source").string() + "' >/dev/null 2>&1";
+        return std::system(line.c_str()) == 0;
+    }
 };
+
+constexpr const char* c_compiler = "cc -std=gnu11 -Wall -Werror -Wno-unused-function -fsyntax-only -x c -";
+constexpr const char* glsl_compiler = "glslangValidator --stdin -S frag";
+
+std::string fragment_shader(const std::string& glsl) { return "#version 330\n" + glsl + "void main() {}\n"; }
 
 std::string without_comments(const std::string& text) {
     return std::regex_replace("\n" + text, std::regex("\n? *//[^\n]*"), "");
@@ -61,6 +74,7 @@ TEST_F(shader, says_above_each_function_what_it_is_and_where_from) {
           "// error   at most 0.0406, certified for", "// cost    ", "// source  Hoffman 2019"})
         expect_holds(hlsl, piece);
     expect_holds(hlsl, "point away from the surface");
+    expect_holds(text("conductor"), "up to 1e-1 at a critical angle of small k_t\n");
 }
 
 TEST_F(shader, library_of_every_language_holds_every_model) {
@@ -102,12 +116,75 @@ TEST_F(shader, compensated_arithmetic_is_called_and_printed_once) {
     EXPECT_EQ(text("schlick --lang glsl").find("two_sum"), std::string::npos);
 }
 
+TEST_F(shader, no_variable_hides_the_function_that_makes_it) {
+    const std::regex hidden(R"(\b(\w+) = \1\()");
+    for (const char* language : language_names)
+        for (const char* fixed : {"k_t=1,2,3", "n_t=1.5,0.5,2", "n_i=1,1.1,1.2", "k_t=1"}) {
+            const std::string printed =
+                text(std::string("conductor_precise --fix ") + fixed + " --lang " + language);
+            EXPECT_FALSE(std::regex_search(printed, hidden)) << language << " " << fixed << "\n" << printed;
+        }
+    const std::string rgb = "conductor_precise --fix k_t=1,2,3";
+    EXPECT_TRUE(compiles(c_compiler, text(rgb + " --lang c")));
+    if (has_command("glslangValidator")) {
+        EXPECT_TRUE(compiles(glsl_compiler, fragment_shader(text(rgb + " --lang glsl"))));
+    }
+}
+
+TEST_F(shader, a_library_and_a_text_that_share_helpers_share_a_file) {
+    for (const char* language : {"glsl", "essl", "hlsl", "msl", "osl", "cuda", "c", "slang"}) {
+        const std::string lang = std::string(" --lang ") + language;
+        const std::string library = text("--all" + lang);
+        const std::string one = text("conductor_precise --fix n_i=1.333 --name wet" + lang);
+        for (const std::string& printed : {library, one}) {
+            const std::regex guarded("#ifndef (FRESNEL_[A-Z]+_TWOFOLD)\n#define \\1\n");
+            std::smatch guard;
+            ASSERT_TRUE(std::regex_search(printed, guard, guarded)) << language;
+            const std::size_t begin = static_cast<std::size_t>(guard.position());
+            for (const char* helper : {"two_sum(", "twofold_product("}) {
+                EXPECT_LT(begin, printed.find(helper)) << language;
+                EXPECT_LT(printed.find(helper), printed.find("#endif\n", begin)) << language;
+            }
+        }
+        for (const std::string& both : {library + one, one + library}) {
+            if (lang == " --lang c") {
+                EXPECT_TRUE(compiles(c_compiler, both));
+            } else if (lang == " --lang glsl" && has_command("glslangValidator")) {
+                EXPECT_TRUE(compiles(glsl_compiler, fragment_shader(both)));
+            }
+        }
+    }
+}
+
 TEST_F(shader, fixed_parameters_are_gone_and_folded) {
     const std::string glsl = text("schlick --fix f0=0.04");
     expect_holds(glsl, "float schlick(float cos_i) {\n");
     expect_holds(glsl, "return 0.04 + 0.96 * (x2 * x2 * x);\n");
     expect_holds(text("dielectric --fix n_i=1"), "float dielectric(float n_t, float cos_i) {\n");
     expect_holds(text("schlick --fix f0=1,0.78,0.34"), "vec3 f0 = vec3(1.0, 0.78, 0.34);\n");
+}
+
+TEST_F(shader, error_is_said_of_constants_that_it_was_taken_over) {
+    for (const char* arguments :
+         {"schlick --fix f0=0.04", "schlick_f90 --fix f90=1", "schlick_internal --fix eta=0.75",
+          "schlick_nk --fix n=0.2 --fix k=3", "hoffman"})
+        expect_holds(text(arguments), "// error   at most ");
+    for (const char* arguments : {"dielectric --fix n_i=1.333", "conductor --fix k_t=0"})
+        expect_holds(text(arguments), "// error   rounding only, ");
+    for (const char* arguments :
+         {"schlick --fix f0=0.9", "schlick_f90 --fix f90=0", "schlick_f90 --fix f90=1,1,0.9",
+          "schlick_internal --fix eta=0.99", "schlick_nk --fix k=0", "hoffman --fix power=0.1",
+          "f82 --fix f0=0.9 --fix f82=1"})
+        expect_holds(text(arguments), "// error   not known for these constants\n");
+}
+
+TEST_F(shader, ends_of_a_range_can_be_fixed) {
+    text("dielectric --fix n_i=0.01");
+    text("schlick_internal --fix eta=0.01");
+    EXPECT_EQ(run("lut dielectric --fix n_i=0.01 --fix n_t=0.001").code, 0);
+    expect_refused("shader dielectric --fix n_i=0.0099999999", {"n_i = 0.0099999999", "[0.01, 100]"});
+    expect_refused("shader schlick --fix f0=1.00000001", {"f0 = 1.00000001", "[0, 1]"});
+    expect_refused("lut dielectric --fix n_i=100.000001", {"n_i = 100.000001", "[0.01, 100]"});
 }
 
 // In the equations above a function c is cos_i.
@@ -191,6 +268,10 @@ TEST_F(shader, hostile_names_are_made_legal_and_said) {
     EXPECT_EQ(result.code, 0);
     expect_holds(result.out, "float mix_(float f0, float cos_i)");
     expect_holds(result.err, "the function is called mix_");
+    for (const char* language : {"c", "cuda"})
+        for (const std::string macro : {"linux", "unix"})
+            expect_holds(text("schlick --lang " + std::string(language) + " --name " + macro),
+                         " " + macro + "_(");
 }
 
 TEST_F(shader, out_writes_one_file_and_nothing_beside_it) {
@@ -230,6 +311,14 @@ TEST_F(shader, bad_input_is_refused_by_name) {
     expect_refused("shader schlick --material unobtainium", {"unobtainium"});
     expect_refused("shader schlick f82 --name mine", {"--name", "mine", "2"});
     expect_refused("shader schlick --all", {"--all"});
+    expect_refused("shader schlick f82 schlick", {"MODEL 'schlick'", "twice"});
+    expect_refused("shader schlick --material glass --fix f0=0.9",
+                   {"--fix 'f0=0.9'", "--material 'glass'", "leave one of them out"});
+    expect_refused("shader schlick --material glass --fix f1=0.9", {"f1", "schlick", "f0"});
+    for (const std::string option : {"--material", "--name", "--technique", "--stage", "--out"})
+        expect_refused("shader schlick " + option + " ''", {option + ": must not be ''"});
+    for (const std::string option : {"--write", "--check", "--verify --dump", "--verify --compare"})
+        expect_refused("shader " + option + " ''", {option.substr(option.rfind('-') - 1), "must not be ''"});
     expect_refused("shader --check nowhere", {"--check", "nowhere"});
 }
 
@@ -247,6 +336,10 @@ TEST_F(shader, an_option_that_nothing_takes_is_refused) {
 TEST_F(shader, a_folder_that_cannot_be_written_is_refused_by_name) {
     write("file", "");
     expect_refused("shader schlick --out file/a.glsl", {"--out", "file/a.glsl"});
+    for (const std::string to : {"file", "file/x", "/proc/x"}) {
+        expect_refused("shader --write " + to, {"--write '" + to + "': must be a folder"});
+        expect_refused("shader --verify schlick --dump " + to, {"--dump '" + to + "': must be a folder"});
+    }
 }
 
 } // namespace

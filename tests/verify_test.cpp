@@ -287,6 +287,9 @@ TEST_F(verify_command, compares_what_another_runner_wrote) {
 TEST_F(verify_command, refuses_what_it_cannot_use) {
     expect_refused("shader --verify schlik", {"schlik", "did you mean 'schlick'"});
     expect_refused("shader --verify schlick --rows 99999999", {"--rows", "99999999", "[1, 4000000]"});
+    for (const std::string count : {"0", "-1", "1.5", "1e300"})
+        expect_refused("shader --verify schlick --rows " + count,
+                       {"--rows '" + count + "': must be a whole number in [1, 4000000]"});
     expect_refused("shader --verify schlick --compare nowhere", {"--compare nowhere: holds no"});
     expect_refused("shader --verify schlick --dump a --compare b", {"--dump", "--compare"});
     expect_refused("shader schlick --rows 100", {"--rows requires --verify"});

@@ -33,7 +33,7 @@ emit::lut_subject subject_of(const options& given) {
     const plot_subject found = find_subject(given.what);
     if (found.model != nullptr) {
         refuse_colours(given.colour, "a material");
-        std::map<std::string, std::array<float, 3>> fixed;
+        emit::fixed_values fixed;
         for (const std::string& text : given.fixed)
             add_fixed(text, fixed);
         return emit::model_subject(given.what, fixed, given.by);

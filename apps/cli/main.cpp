@@ -49,6 +49,8 @@ double parse_parameter(const parameter& p, std::string_view text) {
     return value;
 }
 
+std::string refuse_empty(const std::string& value) { return value.empty() ? "must not be ''" : ""; }
+
 std::string shell_word(std::string_view text) {
     constexpr std::string_view plain =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789%+,-./:=@_";

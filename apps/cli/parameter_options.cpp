@@ -53,17 +53,17 @@ std::vector<double> parse_list(std::string_view argument, std::string_view text)
     return values;
 }
 
-void add_fixed(const std::string& text, std::map<std::string, std::array<float, 3>>& fixed) {
+void add_fixed(const std::string& text, emit::fixed_values& fixed) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0)
         throw bad_input(fmt::format("--fix '{}': must be PARAMETER=VALUE or PARAMETER=R,G,B", text));
     const std::string name = text.substr(0, equals);
     if (fixed.contains(name)) throw bad_input(fmt::format("--fix '{}': {} is fixed already", text, name));
-    std::vector<float> values;
+    std::vector<double> values;
     for (std::size_t from = equals + 1; from <= text.size();) {
         const std::size_t comma = std::min(text.find(',', from), text.size());
-        values.push_back(static_cast<float>(
-            parse_number(fmt::format("--fix {}", name), std::string_view(text).substr(from, comma - from))));
+        values.push_back(
+            parse_number(fmt::format("--fix {}", name), std::string_view(text).substr(from, comma - from)));
         from = comma + 1;
     }
     if (values.size() != 1 && values.size() != 3)

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "emit/function.hpp"
+
 #include <CLI/CLI.hpp>
 
-#include <array>
 #include <map>
 #include <string>
 #include <string_view>
@@ -20,6 +21,6 @@ void add_parameters(CLI::App& command, parameter_texts& given);
 std::vector<double> parse_list(std::string_view argument, std::string_view text);
 
 /// A constant of --fix, "f0=0.04", or "f0=1,0.78,0.34" for a value per channel, put among the others. Throws bad_input.
-void add_fixed(const std::string& text, std::map<std::string, std::array<float, 3>>& fixed);
+void add_fixed(const std::string& text, emit::fixed_values& fixed);
 
 } // namespace fresnel::cli

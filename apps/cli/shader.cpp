@@ -11,9 +11,12 @@
 #include "emit/technique.hpp"
 #include "error.hpp"
 #include "figure/figure.hpp"
+#include "figure/page.hpp"
 #include "materials/catalog.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace fresnel::cli {
 
@@ -38,12 +41,24 @@ std::string source_of(const options& given, const material& substance) {
                        ambient == 1 ? "" : fmt::format(", ambient {}", ambient), substance.citation);
 }
 
+// A fit gives every parameter of the model.
+void refuse_fitted(const options& given, const model_row<double>& row) {
+    for (const std::string& fixed : given.fixed)
+        for (const parameter& p : row.parameters)
+            if (fixed.substr(0, fixed.find('=')) == p.name)
+                throw bad_input(
+                    fmt::format("--fix '{}': is what --material '{}' gives; leave one of them out", fixed,
+                                given.material));
+}
+
 void add_material(const options& given, const std::string& model, emit::model_request& request) {
-    if (find_model<double>(model).kind == model_kind::exact)
+    const model_row<double>& row = find_model<double>(model);
+    if (row.kind == model_kind::exact)
         throw bad_input(
             fmt::format("--material with {}: n and k have no RGB values; gulbrandsen has an RGB index "
                         "through the exact colours",
                         model));
+    refuse_fitted(given, row);
     const material substance = load_material(given.material);
     const comparison all = compare(substance, chosen_space(given.colour), chosen_ambient(given.colour));
     const model_fit* found = all.find(model);
@@ -53,12 +68,9 @@ void add_material(const options& given, const std::string& model, emit::model_re
     request.error = fmt::format("at most {:.3g} in a channel, CIEDE2000 {:.2g}, against the exact colours",
                                 found->error.worst(), found->error.delta_e_max);
     request.about = source_of(given, substance);
-    const auto& parameters = find_model<double>(model).parameters;
-    for (std::size_t i = 0; i < parameters.size(); ++i)
-        request.fixed.try_emplace(std::string(parameters[i].name),
-                                  std::array{static_cast<float>(found->values[0][i]),
-                                             static_cast<float>(found->values[1][i]),
-                                             static_cast<float>(found->values[2][i])});
+    for (std::size_t i = 0; i < row.parameters.size(); ++i)
+        request.fixed[std::string(row.parameters[i].name)] = {found->values[0][i], found->values[1][i],
+                                                              found->values[2][i]};
 }
 
 std::string made_by(const options& given) {
@@ -84,6 +96,12 @@ void refuse_own_options(const options& given) {
         if (!value.empty())
             throw bad_input(
                 fmt::format("{} '{}': --all takes no constants; name a MODEL instead of it", option, value));
+}
+
+void refuse_repeated(const std::vector<std::string>& models) {
+    for (auto model = models.begin(); model != models.end(); ++model)
+        if (std::find(models.begin(), model, *model) != model)
+            throw bad_input(fmt::format("MODEL '{}': is given twice", *model));
 }
 
 void check(const options& given) {
@@ -148,8 +166,10 @@ void check_folder(const std::string& folder) {
 }
 
 void run(const options& given) {
+    refuse_repeated(given.models);
     if (given.verify.wanted) return run_verify(given.verify, given.models);
     if (!given.write.empty()) {
+        require_writable_folder("--write", given.write);
         emit::write_packs(given.write);
         fmt::print("{}\n", given.write);
         return;
@@ -194,24 +214,27 @@ void add_shader(CLI::App& app) {
         ->type_name("PARAM=VALUE")
         ->allow_extra_args(false);
     command->add_option("--material", given->material, "parameters fitted to that material, as constants")
-        ->type_name("NAME");
-    command->add_option("--name", given->name, "name of the function")
-        ->type_name("N")
-        ->check([](const std::string& name) { return name.empty() ? "'' is no name" : ""; });
+        ->type_name("NAME")
+        ->check(refuse_empty);
+    command->add_option("--name", given->name, "name of the function")->type_name("N")->check(refuse_empty);
     command
         ->add_option("--technique", given->technique,
                      "a complete vertex and fragment program of one MODEL: none, one-minus-cos, per-vertex, "
                      "per-pixel, lut, highlights or semitransparent")
-        ->type_name("T");
+        ->type_name("T")
+        ->check(refuse_empty);
     command->add_option("--stage", given->stage, "of a program that stage alone: vertex or fragment")
-        ->type_name("S");
-    command->add_option("--out", given->out, "write this file")->type_name("FILE");
+        ->type_name("S")
+        ->check(refuse_empty);
+    command->add_option("--out", given->out, "write this file")->type_name("FILE")->check(refuse_empty);
     command->add_flag("--all", given->all, "every model and the geometry around them");
     command->add_option("--write", given->write, "write every generated file under this folder")
-        ->type_name("DIR");
+        ->type_name("DIR")
+        ->check(refuse_empty);
     command
         ->add_option("--check", given->check, "compare this folder with what --write makes; 1 if they differ")
-        ->type_name("DIR");
+        ->type_name("DIR")
+        ->check(refuse_empty);
     add_colour_options(*command, given->colour);
     for (const char* folder : {"--write", "--check"})
         for (const char* other : {"MODEL", "--lang", "--fix", "--material", "--name", "--out", "--all",

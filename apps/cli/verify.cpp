@@ -3,9 +3,11 @@
 
 #include "conform/verify.hpp"
 #include "error.hpp"
+#include "figure/page.hpp"
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdio>
 #include <unistd.h>
 
@@ -74,9 +76,16 @@ void print(const verify_options& given, const conform::verification& all) {
     print_json({{"receivers", all.receivers}, {"results", results}, {"skipped", skipped}});
 }
 
+// 0: the default.
+std::size_t row_count(const verify_options& given) {
+    if (given.rows.empty()) return 0;
+    const double rows = parse_number("--rows", given.rows);
+    if (!(rows >= 1 && rows <= most_rows) || rows != std::floor(rows))
+        throw bad_input(fmt::format("--rows '{}': must be a whole number in [1, {}]", given.rows, most_rows));
+    return static_cast<std::size_t>(rows);
+}
+
 void check(const verify_options& given) {
-    if (given.rows > most_rows)
-        throw bad_input(fmt::format("--rows = {}: must be in [1, {}]", given.rows, most_rows));
     if (!given.dump.empty() && !given.compare.empty())
         throw bad_input("--dump, --compare: only one of the two can be given");
 }
@@ -95,23 +104,27 @@ void add_verify_options(CLI::App& command, verify_options& given) {
         .add_option("--rows", given.rows,
                     "with --verify: inputs of each function (default 270336 of one channel, 65536 of more)")
         ->type_name("N")
-        ->check(CLI::PositiveNumber)
+        ->check(refuse_empty)
         ->needs(verify);
     command
         .add_option("--dump", given.dump,
                     "with --verify: write inputs, expected values and texts for other runners")
         ->type_name("DIR")
+        ->check(refuse_empty)
         ->needs(verify);
     command.add_option("--compare", given.compare, "with --verify: compare what another runner wrote there")
         ->type_name("DIR")
+        ->check(refuse_empty)
         ->needs(verify);
 }
 
 void run_verify(const verify_options& given, const std::vector<std::string>& models) {
     check(given);
+    const std::size_t rows = row_count(given);
     const std::vector<emit::verify_case> cases = emit::verify_cases(models);
     if (!given.dump.empty()) {
-        emit::dump_cases(given.dump, cases, {}, given.rows);
+        require_writable_folder("--dump", given.dump);
+        emit::dump_cases(given.dump, cases, {}, rows);
         fmt::print("{}\n", given.dump);
         return;
     }
@@ -120,7 +133,7 @@ void run_verify(const verify_options& given, const std::vector<std::string>& mod
         all.results = emit::check_dump(given.compare, cases);
     } else {
         const bool shown = isatty(STDERR_FILENO) != 0;
-        all = conform::verify(cases, given.rows, [shown](std::string_view receiver, std::string_view id) {
+        all = conform::verify(cases, rows, [shown](std::string_view receiver, std::string_view id) {
             if (shown) fmt::print(stderr, "\r\033[Kverify: {} {}", receiver, id);
         });
         if (shown) fmt::print(stderr, "\r\033[K");

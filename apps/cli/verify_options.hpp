@@ -10,8 +10,7 @@ namespace fresnel::cli {
 /// What `fresnel shader --verify` is given beside the models.
 struct verify_options {
     bool wanted = false, json = false;
-    std::size_t rows = 0;
-    std::string dump, compare;
+    std::string rows, dump, compare;
 };
 
 void add_verify_options(CLI::App& command, verify_options& given);

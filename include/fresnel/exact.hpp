@@ -173,7 +173,7 @@ normal_wave<T> refract_complex(T n_i, T n_t, T k_t, T cos_i) {
 ///         0 for equal media at every angle, and exactly 1 at cos_i = 0 for any others, but for an absorption so
 ///         faint that its cube is lost (k_t / n_i < 1e-7 in float32) where n_t = n_i
 /// error   relative 8 epsilon in R and 4 in T, times 1 + |m^2 - 1| / |m^2 - s^2|, for eta >= 0.1: in float32 2e-6 for metals
-///         and for eta > 1, and up to 1e-1 at the critical angle of eta >= 0.1, 2e-1 in R_p (k_t = 0 only)
+///         and for eta > 1, and up to 1e-1 at the critical angle of eta >= 0.1, 2e-1 in R_p (small k_t; 3e-4 at 1e-3)
 /// source  Born and Wolf 1999, "Principles of Optics", 7th ed., sec. 14.2. With q = a + i b, |q + c|^4 = F + W
 ///         and |q c + s^2|^4 = B + V, so that nothing cancels; Re(m^2 c^2 - s^2) is Re q^2 c^2 - s^4. Of a and b
 ///         the larger is u, the other n k / u; lengths are in units of 1 / n_i, and F, W, B, V are multiplied by

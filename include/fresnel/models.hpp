@@ -121,7 +121,7 @@ inline constexpr auto registry = std::tuple{
           std::array{row::n_i, row::n_t, row::k_t},
           "Born and Wolf 1999, Principles of Optics, sec. 14.2",
           row::any_index,
-          {1e-13, row::away, "relative 2e-6, up to 1e-1 at a critical angle of k_t = 0"},
+          {1e-13, row::away, "relative 2e-6, up to 1e-1 at a critical angle of small k_t"},
           [](auto... x) { return conductor(x...); }},
     model{"dielectric_fast",
           model_kind::exact,

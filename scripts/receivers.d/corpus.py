@@ -15,9 +15,10 @@ SAMPLES = [
     "schlick --fix f0=0.04", "schlick --fix f0=1,0.78,0.34", "schlick_f90 --fix f90=1",
     "schlick_f90 --fix f0=0.04,0.05,0.06 --fix f90=1", "dielectric --fix n_i=1", "dielectric --fix n_i=1 --fix n_t=1.5",
     "conductor --fix n_i=1.333", "conductor --fix n_i=1 --fix n_t=0.2,0.9,1.2 --fix k_t=3,2.4,2.2",
-    "conductor --fix k_t=0", "schlick_internal --fix eta=0.75", "hoffman --fix power=5 --fix f90=1",
-    "bias_scale_power --fix bias=0 --fix scale=1 --fix power=5", "lazanyi --fix alpha=6", "constant --fix f0=0.5",
-    "spherical_gaussian --fix f0=1", "f82 --fix f82=0.9", "f82_tint --fix tint=1,0.5,0.25",
+    "conductor --fix k_t=0", "conductor_precise --fix k_t=1,2,3", "schlick_internal --fix eta=0.75",
+    "hoffman --fix power=5 --fix f90=1", "bias_scale_power --fix bias=0 --fix scale=1 --fix power=5",
+    "lazanyi --fix alpha=6", "constant --fix f0=0.5", "spherical_gaussian --fix f0=1", "f82 --fix f82=0.9",
+    "f82_tint --fix tint=1,0.5,0.25",
     "schlick --material gold", "gulbrandsen --material gold", "f82 --material gold", "f82_tint --material copper",
     "schlick --material gold --space acescg --name gold",
 ]

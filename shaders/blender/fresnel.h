@@ -170,6 +170,9 @@ float opacity_total(float attenuation, float fresnel) {
 
 // ---- twice the digits ----------------------------------------------------------------------------------------
 
+#ifndef FRESNEL_OSL_TWOFOLD
+#define FRESNEL_OSL_TWOFOLD
+
 struct fresnel_float2 {
     float x;
     float y;
@@ -224,6 +227,8 @@ fresnel_float2 twofold_product(fresnel_float2 a, fresnel_float2 b) {
     fresnel_float2 p = two_product(a.x, b.x);
     return two_sum(p.x, p.y + (a.x * b.y + a.y * b.x));
 }
+
+#endif
 
 // ---- exact ---------------------------------------------------------------------------------------------------
 
@@ -338,7 +343,7 @@ fresnel_boundary dielectric_boundary(float n_i, float n_t, float cos_i) {
 // n_t     index behind it, [0.001, 1000]
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
-// error   rounding only, in float relative 2e-6, up to 1e-1 at a critical angle of k_t = 0
+// error   rounding only, in float relative 2e-6, up to 1e-1 at a critical angle of small k_t
 // cost    67 operations
 // source  Born and Wolf 1999, Principles of Optics, sec. 14.2
 float conductor(float n_i, float n_t, float k_t, float cos_i) {

@@ -168,6 +168,9 @@ float opacity_total(float attenuation, float fresnel) {
 
 // ---- twice the digits ----------------------------------------------------------------------------------------
 
+#ifndef FRESNEL_HLSL_TWOFOLD
+#define FRESNEL_HLSL_TWOFOLD
+
 // a + b without rounding error: x is the rounded sum, y what it lacks (Knuth 1969).
 // Right only where the compiler does not rearrange: no fast math, precise where the language has it.
 float2 two_sum(float a, float b) {
@@ -212,6 +215,8 @@ float2 twofold_product(float2 a, float2 b) {
     float2 p = two_product(a.x, b.x);
     return two_sum(p.x, p.y + (a.x * b.y + a.y * b.x));
 }
+
+#endif
 
 // ---- exact ---------------------------------------------------------------------------------------------------
 
@@ -326,7 +331,7 @@ fresnel_boundary dielectric_boundary(float n_i, float n_t, float cos_i) {
 // n_t     index behind it, [0.001, 1000]
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
-// error   rounding only, in float relative 2e-6, up to 1e-1 at a critical angle of k_t = 0
+// error   rounding only, in float relative 2e-6, up to 1e-1 at a critical angle of small k_t
 // cost    67 operations
 // source  Born and Wolf 1999, Principles of Optics, sec. 14.2
 float conductor(float n_i, float n_t, float k_t, float cos_i) {

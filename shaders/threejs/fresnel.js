@@ -225,7 +225,7 @@ fresnel_boundary dielectric_boundary(float n_i, float n_t, float cos_i) {
 // n_t     index behind it, [0.001, 1000]
 // k_t     its imaginary part, [0, 10000]
 // cos_i   cosine of incidence, [0, 1]
-// error   rounding only, in float relative 2e-6, up to 1e-1 at a critical angle of k_t = 0
+// error   rounding only, in float relative 2e-6, up to 1e-1 at a critical angle of small k_t
 // cost    67 operations
 // source  Born and Wolf 1999, Principles of Optics, sec. 14.2
 float conductor(float n_i, float n_t, float k_t, float cos_i) {

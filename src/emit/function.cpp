@@ -3,6 +3,8 @@
 #include "analysis/prove.hpp"
 #include "error.hpp"
 
+#include <fresnel/geometry.hpp>
+
 #include <fmt/format.h>
 
 namespace fresnel::emit {
@@ -13,28 +15,12 @@ namespace {
 
 std::string meaning_of(const parameter& p) { return fmt::format("{}, [{}, {}]", p.meaning, p.min, p.max); }
 
-void check_fixed(const model_row<double>& row, const request& wanted) {
-    for (const auto& [name, values] : wanted.fixed) {
-        const parameter* found = nullptr;
-        std::vector<std::string> names;
-        for (const parameter& p : row.parameters) {
-            names.emplace_back(p.name);
-            if (p.name == name) found = &p;
-        }
-        if (found == nullptr)
-            throw bad_input(fmt::format(
-                "parameter '{}' is none of {}{}: it takes {}", name, row.name, did_you_mean(name, names),
-                names.empty() ? "no parameters" : fmt::format("{}", fmt::join(names, ", "))));
-        for (const float value : values)
-            check_range(*found, static_cast<double>(value));
-    }
-}
-
 sym symbol_of(function& f, const parameter& p, const request& wanted) {
     if (const auto found = wanted.fixed.find(std::string(p.name)); found != wanted.fixed.end()) {
-        const auto& [r, g, b] = found->second;
-        if (r == g && g == b) return sym::constant(r);
-        const sym value = sym::constant(found->second);
+        const auto& v = found->second;
+        const std::array rgb{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+        if (rgb[0] == rgb[1] && rgb[1] == rgb[2]) return sym::constant(rgb[0]);
+        const sym value = sym::constant(rgb);
         f.graph.name(value.node(), p.name);
         return value;
     }
@@ -58,19 +44,31 @@ void add_equation(std::vector<std::string>& lines, std::string_view equation) {
     lines.push_back(line);
 }
 
-std::string error_of(const model_row<double>& row) {
+// Whether the registry's error is taken over that value of a parameter.
+bool is_covered(std::string_view over, std::string_view name, double x) {
+    const auto within = [x](double lo, double hi) { return x >= lo && x <= hi; };
+    if (over == row::gems) return name == "f90" ? x == 1 : within(f0_from_eta(1.3), f0_from_eta(2.5));
+    if (over == row::inside_gems) return within(1 / 2.5, 1 / 1.3);
+    if (over == row::box) return name == "n" ? within(0.1, 4) : within(1, 8);
+    return false; // of a metal all parameters are fitted
+}
+
+std::string error_of(const model_row<double>& row, const fixed_values& fixed) {
     if (!row.error.in_float32.empty()) return fmt::format("rounding only, in float {}", row.error.in_float32);
+    for (const auto& [name, values] : fixed)
+        for (const double x : values)
+            if (!is_covered(row.error.over, name, x)) return "not known for these constants";
     return fmt::format("at most {:.3g}, {} for {}", row.error.max,
                        can_prove(row.error.over) ? "certified" : "measured", row.error.over);
 }
 
-std::vector<std::string> comment_of(const model_row<double>& row, const function& f) {
+std::vector<std::string> comment_of(const model_row<double>& row, const function& f, const request& wanted) {
     std::vector<std::string> lines = {std::string(row.summary), ""};
     add_equation(lines, row.equation);
     lines.emplace_back();
     for (const argument& a : f.arguments)
         lines.push_back(fmt::format("{:<7} {}", a.name, a.meaning));
-    lines.push_back(fmt::format("error   {}", error_of(row)));
+    lines.push_back(fmt::format("error   {}", error_of(row, wanted.fixed)));
     lines.push_back(fmt::format("cost    {} operations", count_operations(f).cost()));
     lines.push_back(fmt::format("source  {}", row.citation));
     return lines;
@@ -117,6 +115,23 @@ void note_channel(const function& f, const function_call& call, const std::vecto
 }
 
 } // namespace
+
+void check_fixed(const model_row<double>& row, const fixed_values& fixed) {
+    for (const auto& [name, values] : fixed) {
+        const parameter* found = nullptr;
+        std::vector<std::string> names;
+        for (const parameter& p : row.parameters) {
+            names.emplace_back(p.name);
+            if (p.name == name) found = &p;
+        }
+        if (found == nullptr)
+            throw bad_input(fmt::format(
+                "parameter '{}' is none of {}{}: it takes {}", name, row.name, did_you_mean(name, names),
+                names.empty() ? "no parameters" : fmt::format("{}", fmt::join(names, ", "))));
+        for (const double value : values)
+            check_range(*found, value);
+    }
+}
 
 function scalarized(const function& f, std::string (*component)(std::string_view name, int i)) {
     function split;
@@ -165,13 +180,13 @@ bool calls_twofold(const function& f) {
 
 function record(std::string_view model, const request& wanted) {
     const model_row<double>& row = find_model<double>(model);
-    check_fixed(row, wanted);
+    check_fixed(row, wanted.fixed);
     function f;
     f.name = row.name;
     const recording scope(f.graph);
     record_row(find_model<sym>(model), f, wanted);
     simplify(f);
-    f.comment = comment_of(row, f);
+    f.comment = comment_of(row, f, wanted);
     return f;
 }
 

@@ -30,16 +30,22 @@ struct function : recorded {
     int width() const { return components ? 3 : results.size() == 2 ? 2 : graph[results.front().node].width; }
 };
 
+/// Parameters that are constants: a value for each channel, as the user wrote it, which a text holds as a float.
+using fixed_values = std::map<std::string, std::array<double, 3>>;
+
+/// Throws bad_input for what is no parameter of the model, and for a value outside the range of the registry.
+void check_fixed(const model_row<double>& row, const fixed_values& fixed);
+
 /// What of a model is recorded.
 struct request {
     int width = 1;         ///< 3: every parameter but n_i is RGB, they share the angle
     bool boundary = false; ///< of an exact model R_s, R_p, T_s and T_p
-    std::map<std::string, std::array<float, 3>>
-        fixed; ///< parameters that are constants, equal values for width 1
+    fixed_values fixed;    ///< equal values for width 1
 };
 
-/// Runs a model on symbols. Throws bad_input for an unknown model, an unknown parameter in `fixed` or a value outside
-/// the range of the registry.
+/// Runs a model on symbols. Its comment says the registry's error unless a constant lies outside what that was taken over:
+/// an f0 of no gem, an f90 that is not 1, an index outside the stated range, any constant of a model that was fitted. Throws
+/// bad_input for an unknown model, and as check_fixed does.
 function record(std::string_view model, const request& wanted = {});
 
 /// incidence_cosine, which the overloads of two directions call, then reflected_direction, refracted_direction,

@@ -85,6 +85,10 @@ std::string wrapped_lines(const std::string& text) {
     return result;
 }
 
+std::string rule(std::string_view title) {
+    return fmt::format("// ---- {} {}\n\n", title, std::string(104 - title.size(), '-'));
+}
+
 std::string guarded(std::string name, const std::string& text) {
     for (char& c : name)
         c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fresnel::emit {
@@ -13,6 +14,9 @@ std::string wrapped_lines(const std::string& text);
 
 /// Lines as comments, those that are too long broken at spaces.
 std::string comment_block(const std::vector<std::string>& lines);
+
+/// A line across the page with the title of what follows, and an empty one.
+std::string rule(std::string_view title);
 
 /// The same text between `#ifndef` and `#endif`, so that a file that holds it twice reads it once.
 ///

@@ -153,10 +153,6 @@ const function& cosine_function() {
     return f;
 }
 
-std::string rule(std::string_view title) {
-    return fmt::format("// ---- {} {}\n\n", title, std::string(104 - title.size(), '-'));
-}
-
 } // namespace
 
 std::string boundary_type(const language& l) {
@@ -306,7 +302,7 @@ std::string library_text(const language& l) {
                                       : row.kind == model_kind::artistic ? "artistic"
                                                                          : "approximations";
         if (row.kind == model_kind::exact && title.empty())
-            text += rule("twice the digits") + twofold_text(l) + "\n";
+            text += rule("twice the digits") + once(l, "_twofold", twofold_text(l)) + "\n";
         if (kind != title) text += rule(title = kind);
         text += model_text(l, {std::string(row.name)}) + "\n";
     }

@@ -11,10 +11,10 @@ namespace fresnel::emit {
 /// What `fresnel shader MODEL` prints of a model.
 struct model_request {
     std::string model;
-    std::map<std::string, std::array<float, 3>> fixed = {}; ///< parameters that are constants
-    std::string name = {};                                  ///< of the function; the model's own if empty
-    std::string error = {}; ///< said above it in place of the registry's error
-    std::string about = {}; ///< where the constants are from
+    fixed_values fixed = {}; ///< parameters that are constants
+    std::string name = {};   ///< of the function; the model's own if empty
+    std::string error = {};  ///< said above it in place of the registry's error
+    std::string about = {};  ///< where the constants are from
 };
 
 /// A model in one language, ready to be pasted: the scalar function, the same for three channels that share the

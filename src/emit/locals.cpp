@@ -143,11 +143,13 @@ void locals::name_all() {
             names_[i] = input_name(at(i).name);
             taken_.insert(names_[i].substr(0, names_[i].find_first_of(".[")));
         }
+    for (const function_call& call : f_.graph.calls()) // a variable would hide the function
+        taken_.insert(legal_name(l_, call.function));
     for (const bool given : {true, false})
         for (const std::uint32_t node : order_) {
             if ((named(node) != 0) != given) continue;
             if (const function_call* call = f_.graph.call_of(node)) {
-                const std::string name = unique(legal_name(l_, given ? call->name : call->function));
+                const std::string name = unique(legal_name(l_, given ? call->name : found_name(*call)));
                 pair_names_[at(node).call - 1] = name;
                 for (const std::size_t i : {0u, 1u})
                     if (f_.graph.call_of(call->results[i]) == call)
@@ -223,6 +225,11 @@ std::string locals::found_name(std::uint32_t node) const {
     if (base == "cos_i") base = "cos";
     if (std::isdigit(static_cast<unsigned char>(base.back())) != 0) base += "_";
     return legal_name(l_, fmt::format("{}{}", base, power->second));
+}
+
+// What a call is called that has no name: twofold_sum and two_sum give a sum.
+std::string locals::found_name(const function_call& call) {
+    return call.function.substr(call.function.rfind('_') + 1);
 }
 
 } // namespace fresnel::emit

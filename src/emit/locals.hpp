@@ -49,6 +49,7 @@ private:
     std::string beside_one(std::uint32_t node, operation op) const;
     std::string constant_name(std::uint32_t node) const;
     std::string found_name(std::uint32_t node) const;
+    static std::string found_name(const function_call& call);
 
     const language& l_;
     const function& f_;

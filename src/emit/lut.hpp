@@ -1,11 +1,12 @@
 #pragma once
 
+#include "emit/function.hpp"
+
 #include <fresnel/color.hpp>
 #include <fresnel/material.hpp>
 
 #include <array>
 #include <functional>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -64,8 +65,7 @@ struct lut_subject {
 ///
 /// throws bad_input for an unknown model or parameter, a value outside its range, a second axis that the model lacks,
 ///        one that passes a critical angle, which no row of texels can follow as it moves
-lut_subject model_subject(std::string_view model, const std::map<std::string, std::array<float, 3>>& fixed,
-                          const std::string& by = {});
+lut_subject model_subject(std::string_view model, const fixed_values& fixed, const std::string& by = {});
 
 /// The exact colours of a material.
 ///

@@ -32,22 +32,6 @@ double value_of(const model_row<double>& row, const parameter_list& values, std:
 
 // ---- parameters ---------------------------------------------------------------------------------------------
 
-using fixed_values = std::map<std::string, std::array<float, 3>>;
-
-void check_fixed(const model_row<double>& row, const fixed_values& fixed) {
-    std::vector<std::string_view> names;
-    for (const parameter& p : row.parameters)
-        names.push_back(p.name);
-    for (const auto& [name, values] : fixed) {
-        const auto i = index_of(row, name);
-        if (!i)
-            throw bad_input(fmt::format("--fix {}: {} has no such parameter; it takes {}", name, row.name,
-                                        names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
-        for (const float v : values)
-            check_range(row.parameters[*i], double(v));
-    }
-}
-
 bool is_coloured(const fixed_values& fixed) {
     for (const auto& [name, v] : fixed)
         if (v[0] != v[1] || v[1] != v[2]) return true;
@@ -59,7 +43,7 @@ std::array<parameter_list, 3> channel_values(const model_row<double>& row, const
     for (std::size_t c = 0; c < 3; ++c)
         for (const parameter& p : row.parameters) {
             const auto found = fixed.find(std::string(p.name));
-            all[c].push_back(found == fixed.end() ? p.default_value : double(found->second[c]));
+            all[c].push_back(found == fixed.end() ? p.default_value : found->second[c]);
         }
     return all;
 }

@@ -41,10 +41,6 @@ constexpr std::array all = {
             false},
 };
 
-std::string ruled(std::string_view title) {
-    return fmt::format("// ---- {} {}\n\n", title, std::string(104 - title.size(), '-'));
-}
-
 // Lines of code, the comments behind them in one column.
 class lines {
 public:
@@ -370,7 +366,7 @@ std::string program::text(const std::vector<std::string>& head, stage wanted) co
             return one.insert(one.find('\n') + 1, text);
         };
         if (wanted != stage::both) return wrapped_lines(headed(wanted));
-        return wrapped_lines(ruled("vertex stage") + headed(stage::vertex) + "\n" + ruled("fragment stage") +
+        return wrapped_lines(rule("vertex stage") + headed(stage::vertex) + "\n" + rule("fragment stage") +
                              glsl_stage(stage::fragment));
     }
     text += "\n" + declarations(stages) + helpers(stages);

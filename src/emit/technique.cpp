@@ -78,9 +78,11 @@ std::string row_parameter(const model_request& wanted) {
 // The command that bakes the table of a program.
 std::string baking(const model_request& wanted, const std::string& rows) {
     std::string command = "fresnel lut " + wanted.model;
-    for (const auto& [name, v] : wanted.fixed)
+    for (const auto& [name, values] : wanted.fixed) {
+        const std::vector<float> v(values.begin(), values.end());
         command += v[0] == v[1] && v[1] == v[2] ? fmt::format(" --fix {}={}", name, v[0])
-                                                : fmt::format(" --fix {}={},{},{}", name, v[0], v[1], v[2]);
+                                                : fmt::format(" --fix {}={}", name, fmt::join(v, ","));
+    }
     return command + (rows.empty() ? "" : " --by " + rows) + " --map cos";
 }
 

@@ -39,7 +39,7 @@ struct verify_case {
     std::string name; ///< of the model, or of the function that is none
     overload kind = overload::scalar;
     std::vector<argument> arguments; ///< as the function takes them
-    std::map<std::string, std::array<float, 3>> fixed = {};
+    fixed_values fixed = {};
     int results = 1; ///< 1, 3 of an RGB value or a direction, 4 of a boundary
     bool transcendental =
         false; ///< whether it calls exp2, log2, log or pow, which no device rounds correctly

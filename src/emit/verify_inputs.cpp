@@ -200,7 +200,7 @@ private:
             column += static_cast<std::size_t>(a.width);
         }
         const auto found = case_.fixed.find(std::string(name));
-        return found == case_.fixed.end() ? otherwise : found->second[0];
+        return found == case_.fixed.end() ? otherwise : static_cast<float>(found->second[0]);
     }
 
     float eta_of(const std::vector<float>& x) const {

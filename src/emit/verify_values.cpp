@@ -164,7 +164,7 @@ private:
         for (const parameter& p : row_->parameters) {
             const auto fixed = case_.fixed.find(std::string(p.name));
             if (fixed != case_.fixed.end()) {
-                all_.push_back(fixed->second[static_cast<std::size_t>(channel)]);
+                all_.push_back(static_cast<float>(fixed->second[static_cast<std::size_t>(channel)]));
                 continue;
             }
             const int width = case_.arguments[next++].width;

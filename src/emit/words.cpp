@@ -42,7 +42,7 @@ constexpr std::string_view c_functions =
     "scalbn scanf signbit signgam sinf sinhf sprintf strcat strcmp strcpy strlen strncmp strstr tanf "
     "tanhf tgamma tolower toupper towlower truncf vprintf alloca div_t int8_t int16_t int32_t int64_t "
     "uint8_t uint16_t uint32_t uint64_t size_t std uint ulong ushort uchar typeof_unqual Bool sincosf "
-    "gamma j0f y0f drem finite significand scalb pow10 ";
+    "gamma j0f y0f drem finite significand scalb pow10 linux unix i386 ";
 
 constexpr std::string_view gl_words =
     " active array asm attribute buffer bvec2 bvec3 bvec4 cast centroid coherent common dmat2 dmat3 dmat4 "
