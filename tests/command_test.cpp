@@ -346,6 +346,25 @@ TEST_F(command, output_that_does_not_arrive_is_a_failure) {
         EXPECT_EQ(run(std::string(arguments) + " >/dev/full").code, 1) << arguments;
 }
 
+TEST_F(command, a_message_that_does_not_arrive_changes_nothing) {
+    for (const char* nowhere : {" 2>&-", " 2>/dev/full"}) {
+        EXPECT_EQ(run(std::string("f0 nosuch") + nowhere).code, 2);
+        EXPECT_EQ(run(std::string("lut gold --out q.png") + nowhere).code, 0);
+    }
+    EXPECT_EQ(run("models >&- 2>&-").code, 1);
+}
+
+// A file that is opened would otherwise be given the number of a stream that is closed.
+TEST_F(command, what_is_printed_does_not_go_into_a_file) {
+    EXPECT_EQ(run("lut gold --out expected.exr").code, 0);
+    EXPECT_EQ(run("lut gold --out closed_1.exr 2>&-").code, 0);
+    EXPECT_EQ(run("lut gold --out closed_2.exr <&- >&- 2>&-").code, 1);
+    const auto size = [&](const char* name) { return std::filesystem::file_size(folder / "work" / name); };
+    EXPECT_EQ(size("closed_1.exr"), size("expected.exr"));
+    EXPECT_EQ(size("closed_2.exr"), size("expected.exr"));
+    EXPECT_EQ(run("eval schlick --csv - <&-").code, 1);
+}
+
 TEST_F(command, a_file_s_name_need_not_be_utf_8) {
     write("\xff.csv", "wavelength_nm,n,k\n500,0.5,3\n600,0.4,3\n");
     for (const char* arguments : {"f0 \xff.csv --json", "compare \xff.csv --json", "f0 \xff.csv"})

@@ -1,5 +1,7 @@
 #include "csv.hpp"
 
+#include "commands.hpp"
+
 #include "analysis/model_table.hpp"
 #include "analysis/multi.hpp"
 #include "error.hpp"
@@ -140,7 +142,7 @@ public:
         if (++lines_ % 65536 == 0) show_progress();
     }
     void finish() {
-        if (shows_progress()) fmt::print(stderr, "\r\033[K");
+        if (shows_progress()) say("\r\033[K");
         if (std::fflush(file_.get()) != 0) fail();
         if (staged_ && (std::fclose(file_.release()) != 0 || !staged_->finish())) fail();
     }
@@ -152,7 +154,7 @@ private:
     // One line on a terminal that is overwritten; nothing where the rows themselves are seen.
     bool shows_progress() const { return staged_ && staged_->is_beside() && isatty(STDERR_FILENO) != 0; }
     void show_progress() const {
-        if (shows_progress()) fmt::print(stderr, "\r\033[Keval: {} rows", lines_);
+        if (shows_progress()) say("\r\033[Keval: {} rows", lines_);
     }
 
     std::string name_;

@@ -8,6 +8,8 @@
 
 #include <charconv>
 #include <cstdio>
+#include <cstdlib>
+#include <fcntl.h>
 #include <iostream>
 #include <unistd.h>
 
@@ -120,7 +122,7 @@ int report(std::string_view message, int code) {
     remove_empty_folders();
     while (message.ends_with('\n'))
         message.remove_suffix(1);
-    fmt::print(stderr, "fresnel: {}\n", on_one_line(message));
+    say("fresnel: {}\n", on_one_line(message));
     return code;
 }
 
@@ -130,7 +132,14 @@ int finished(int code) {
     return report("standard output: cannot be written", 1);
 }
 
+// A standard stream that is closed stays one that fails, and no file that is opened takes its number.
+void hold_standard_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (fcntl(stream, F_GETFD) < 0) open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
 int run(int argc, char** argv) {
+    hold_standard_streams();
     remove_leftovers_on_signals();
     CLI::App app{"Fresnel reflectance for rendering: exact, approximate, measured.", "fresnel"};
     try {
