@@ -365,6 +365,22 @@ TEST_F(command, what_is_printed_does_not_go_into_a_file) {
     EXPECT_EQ(run("eval schlick --csv - <&-").code, 1);
 }
 
+TEST_F(command, a_table_beyond_every_index_is_refused_by_line_and_column) {
+    write("n.csv", "wavelength_nm,n,k\n500,1.5,0\n600,1e60,0\n");
+    write("k.csv", "wavelength_nm,n,k\n500,1.5,1e60\n");
+    write("n.yml", "DATA:\n  - type: tabulated nk\n    data: |\n      0.5 1e60 0\n");
+    write("formula.yml",
+          "DATA:\n  - type: formula 5\n    wavelength_range: 0.3 0.9\n    coefficients: 1e60\n");
+    write("high.csv", "wavelength_nm,n,k\n500,2000,0\n");
+    for (const char* with : {"f0 ", "compare ", "angles --material ", "eval conductor --material "}) {
+        expect_refused(std::string(with) + "n.csv", {"n.csv:3:5: n is 1e60", "[0, 10000]"});
+        expect_refused(std::string(with) + "k.csv", {"k.csv:2:9: k is 1e60", "[0, 10000]"});
+        expect_refused(std::string(with) + "n.yml", {"n.yml:4: n is 1e60", "10000]"});
+        expect_refused(std::string(with) + "formula.yml", {"n = 1e+60", "10000]"});
+    }
+    expect_refused("angles --material high.csv", {"n_t = 2000", "[0.001, 1000]"});
+}
+
 TEST_F(command, a_file_s_name_need_not_be_utf_8) {
     write("\xff.csv", "wavelength_nm,n,k\n500,0.5,3\n600,0.4,3\n");
     for (const char* arguments : {"f0 \xff.csv --json", "compare \xff.csv --json", "f0 \xff.csv"})

@@ -145,17 +145,17 @@ csv_row read_row(std::string_view line, const csv_columns& columns, const place&
     const std::vector<cell> cells = csv_cells(line, at);
     if (static_cast<int>(cells.size()) != columns.count)
         at.fail("{} cells; the header has {}", cells.size(), columns.count);
-    const auto value = [&](int column, const char* what, double least, bool open) {
+    const auto value = [&](int column, const char* what) {
         const cell& c = cells[static_cast<std::size_t>(column)];
         const place here{at.file, at.line, c.column};
         const double x = number(trimmed(c.text), what, here);
-        if (x < least || (open && x == least))
-            here.fail("{} is {}; it must be {} {}", what, trimmed(c.text), open ? "above" : "at least",
-                      least);
+        if (column == columns.wavelength ? x <= 0 : x < 0 || x > largest_index)
+            here.fail("{} is {}; it must be {}", what, trimmed(c.text),
+                      column == columns.wavelength ? "above 0" : fmt::format("in [0, {}]", largest_index));
         return x;
     };
-    const csv_row row{value(columns.wavelength, "wavelength_nm", 0, true), value(columns.n, "n", 0, false),
-                      columns.k < 0 ? 0 : value(columns.k, "k", 0, false), at.line};
+    const csv_row row{value(columns.wavelength, "wavelength_nm"), value(columns.n, "n"),
+                      columns.k < 0 ? 0 : value(columns.k, "k"), at.line};
     if (row.n == 0 && row.k == 0) at.fail("n and k are both 0, the index of nothing; one must be above 0");
     return row;
 }
