@@ -167,18 +167,19 @@ TEST_F(command, csv_out_follows_links_and_writes_into_what_is_no_file) {
 
 // Ended by a signal, a program that ends so leaves a shell the code 128 + signal.
 TEST_F(command, ended_by_a_signal_leaves_nothing) {
-    const auto end_when = [](const std::string& there) {
+    const auto end_when = [](const std::string& there, const std::string& signal = "TERM") {
         return " & for i in $(seq 500); do ls -d " + there + " >/dev/null 2>&1 && break; sleep 0.02; done; " +
-               "kill $!; wait $!; echo $?";
+               "kill -" + signal + " $!; wait $!; echo $?";
     };
     EXPECT_EQ(run("figures --out out/figures >/dev/null" + end_when("out/figures/.*.part"),
                   "export TMPDIR=\"$PWD\"; ")
                   .out,
               "143\n");
     EXPECT_EQ(files(), std::vector<std::string>());
-    EXPECT_EQ(
-        run("eval schlick --csv in --out results.csv" + end_when("*.part"), "mkfifo in; exec 3<>in; ").out,
-        "143\n");
+    const std::string pipe = "rm -f in; mkfifo in; exec 3<>in; ";
+    for (const auto& [signal, code] : {std::pair("TERM", "143\n"), {"PIPE", "141\n"}, {"XFSZ", "153\n"}})
+        EXPECT_EQ(run("eval schlick --csv in --out results.csv" + end_when("*.part", signal), pipe).out,
+                  code);
     EXPECT_EQ(files(), std::vector<std::string>{"in"});
 }
 

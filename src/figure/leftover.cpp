@@ -104,8 +104,10 @@ leftover::~leftover() {
             pause();
 }
 
+constexpr std::array ending_signals = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ};
+
 void remove_leftovers_on_signals() {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    for (const int signal : ending_signals) {
         struct sigaction action{};
         sigaction(signal, nullptr, &action);
         if (action.sa_handler == SIG_IGN) continue; // nohup
@@ -117,7 +119,7 @@ void remove_leftovers_on_signals() {
 }
 
 void leave_leftovers_to_the_parent() {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    for (const int signal : ending_signals) {
         struct sigaction action{};
         sigaction(signal, nullptr, &action);
         if (action.sa_handler == end_by_signal) std::signal(signal, SIG_DFL);

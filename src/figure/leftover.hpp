@@ -27,7 +27,7 @@ private:
     std::atomic<const char*>* slot_;
 };
 
-/// Has SIGINT, SIGTERM and SIGHUP remove every leftover and then end the program, as they would have.
+/// Has SIGINT, SIGTERM, SIGHUP, SIGPIPE and SIGXFSZ remove every leftover and then end the program, as they would have.
 void remove_leftovers_on_signals();
 
 /// For a child process: what is on its way is its parent's.
