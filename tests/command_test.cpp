@@ -165,6 +165,20 @@ TEST_F(command, csv_out_follows_links_and_writes_into_what_is_no_file) {
     EXPECT_EQ(files().size(), 4u) << "the link, the pipe, the results and the rows";
 }
 
+TEST_F(command, out_into_a_descriptor_of_ours_follows_what_was_written_there) {
+    write("rows.csv", "f0,cos_i\n0.04,1\n");
+    const std::string rows = "f0,cos_i,R\n0.04,1,0.04\n", before = "echo before; ";
+    for (const char* out : {"/dev/stdout", "/dev/fd/1", "/proc/self/fd/1", "-", "link", "/dev/fd/3 3>&1"}) {
+        const std::string link = before + "ln -sf /dev/stdout link; ";
+        EXPECT_EQ(run("eval schlick --csv rows.csv --out " + std::string(out), link).out, "before\n" + rows)
+            << out;
+    }
+    const auto plot = run("plot schlick --out link.csv", before + "ln -s /dev/stdout link.csv; ");
+    EXPECT_EQ(plot.out.rfind("before\nangle of incidence", 0), 0u) << plot.out;
+    EXPECT_TRUE(plot.out.ends_with("wrote link.csv\n")) << plot.out;
+    EXPECT_EQ(files().size(), 3u) << "two links and the rows";
+}
+
 // Ended by a signal, a program that ends so leaves a shell the code 128 + signal.
 TEST_F(command, ended_by_a_signal_leaves_nothing) {
     const auto end_when = [](const std::string& there, const std::string& signal = "TERM") {

@@ -25,8 +25,6 @@ namespace fresnel::cli {
 
 namespace {
 
-using file_handle = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
-
 // ---- numbers ----------------------------------------------------------------------------------------------
 
 template <class T>
@@ -130,8 +128,7 @@ public:
     explicit row_writer(const std::string& path) : name_(path == "-" ? "" : path) {
         if (is_folder(name_)) throw bad_input(fmt::format("--out '{}': is a folder; give a file", name_));
         if (!name_.empty()) staged_.emplace(name_);
-        file_ = staged_ ? file_handle(std::fopen(staged_->path.c_str(), "wb"), std::fclose)
-                        : file_handle(stdout, [](std::FILE*) { return 0; });
+        file_ = staged_ ? staged_->open() : file_handle(stdout, [](std::FILE*) { return 0; });
         if (!file_)
             throw bad_input(
                 fmt::format("--out '{}': cannot be written; give a file in a folder that can", name_));

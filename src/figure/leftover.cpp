@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <deque>
 #include <dirent.h>
@@ -139,8 +140,22 @@ std::string link_target(const std::string& path) {
     return target.string();
 }
 
-/// Whether it is there and no plain file.
+/// The descriptor of ours that a path names, as /dev/stdout names 1.
+std::optional<int> descriptor_of(const std::string& path) {
+    std::filesystem::path link = path;
+    std::error_code error;
+    for (int links = 0; links < 40 && std::filesystem::is_symlink(link, error); ++links) {
+        const std::filesystem::path folder = link.parent_path();
+        if (std::filesystem::equivalent(folder, "/proc/self/fd", error))
+            return std::atoi(link.filename().c_str());
+        link = folder / std::filesystem::read_symlink(link, error);
+    }
+    return {};
+}
+
+/// Whether it is there and no plain file, or an open one.
 bool is_special(const std::string& path) {
+    if (descriptor_of(path)) return true;
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
     return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
@@ -151,12 +166,18 @@ bool is_special(const std::string& path) {
 
 staged_file::staged_file(const std::string& place)
     : path(is_special(place) ? place : fmt::format("{}.{}.part", link_target(place), getpid())),
-      place_(is_special(place) ? place : link_target(place)) {
+      descriptor_(descriptor_of(place)), place_(is_special(place) ? place : link_target(place)) {
     if (is_beside()) removed_on_signal_.emplace(path);
 }
 
 staged_file::~staged_file() {
     if (is_beside()) std::remove(path.c_str());
+}
+
+file_handle staged_file::open() const {
+    if (!descriptor_) return {std::fopen(path.c_str(), "wb"), std::fclose};
+    std::fflush(stdout); // what was printed comes first
+    return {fdopen(dup(*descriptor_), "wb"), std::fclose};
 }
 
 bool staged_file::finish() const { return !is_beside() || std::rename(path.c_str(), place_.c_str()) == 0; }

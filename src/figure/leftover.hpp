@@ -1,7 +1,9 @@
 #pragma once
 
 #include <atomic>
+#include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -57,8 +59,11 @@ private:
     leftover removed_on_signal_;
 };
 
+using file_handle = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
 /// A file on its way to its place: written at `path` beside it, it takes its place when it is complete. A pipe or a device
-/// that is there is written into as it is; a symbolic link stays, and the file it names is replaced.
+/// that is there is written into as it is, and so is a descriptor of ours by its name, /dev/stdout or /dev/fd/3; a symbolic
+/// link stays, and the file it names is replaced.
 class staged_file {
 public:
     explicit staged_file(const std::string& place);
@@ -66,6 +71,8 @@ public:
     staged_file(const staged_file&) = delete;
     staged_file& operator=(const staged_file&) = delete;
 
+    /// Opens it for writing. Null if it cannot be.
+    file_handle open() const;
     /// Moves it to its place. False if it cannot be.
     bool finish() const;
     /// Whether it is written beside its place.
@@ -74,6 +81,7 @@ public:
     const std::string path;
 
 private:
+    std::optional<int> descriptor_;
     std::string place_;
     std::optional<leftover> removed_on_signal_;
 };
