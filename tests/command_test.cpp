@@ -206,6 +206,18 @@ TEST_F(command, a_report_that_cannot_be_written_leaves_nothing) {
     EXPECT_EQ(files(), std::vector<std::string>());
 }
 
+TEST_F(command, a_folder_in_the_place_of_a_file_is_refused_before_anything_is_moved) {
+    for (const char* place : {"report.json", "index.html"}) {
+        std::filesystem::remove_all(folder / "work" / "out");
+        std::filesystem::create_directories(folder / "work" / "out" / place);
+        const auto result = run("compare vacuum --out out");
+        EXPECT_EQ(result.code, 2);
+        EXPECT_NE(result.err.find("out/" + std::string(place) + ": is a folder"), std::string::npos)
+            << result.err;
+        EXPECT_EQ(files(), (std::vector<std::string>{"out", "out/" + std::string(place)}));
+    }
+}
+
 TEST_F(command, csv_on_a_pipe_ends_after_the_last_complete_row) {
     const auto result =
         run("eval schlick --csv -", "printf 'f0,cos_i\\n0.04,1\\n0.5,1\\n0.04,2\\n0.04,1\\n' | ");

@@ -94,7 +94,7 @@ void write_file(const std::string& path, const std::string& text) {
     file_handle file = staged.open();
     const bool written = file && std::fwrite(text.data(), 1, text.size(), file.get()) == text.size() &&
                          std::fclose(file.release()) == 0;
-    if (!written || !staged.finish()) throw failure(fmt::format("{}: cannot be written", path));
+    if (!written || !staged.finish()) throw failure(fmt::format("{}: cannot be written", final_path(path)));
 }
 
 namespace {

@@ -105,7 +105,11 @@ leftover::~leftover() {
             pause();
 }
 
+namespace {
+
 constexpr std::array ending_signals = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ};
+
+} // namespace
 
 void remove_leftovers_on_signals() {
     for (const int signal : ending_signals) {
@@ -211,12 +215,25 @@ void remove_empty_folders() {
         rmdir(one.first.c_str());
 }
 
+namespace {
+
+std::string staging_name() { return fmt::format(".fresnel.{}.part", getpid()); }
+
+} // namespace
+
+std::string final_path(std::string path) {
+    const std::string staging = staging_name() + "/";
+    const std::size_t at = path.find(staging);
+    if (at != std::string::npos) path.erase(at, staging.size());
+    return path;
+}
+
 staged_folder::staged_folder(const std::filesystem::path& destination)
-    : path(destination / fmt::format(".fresnel.{}.part", getpid())), destination_(destination),
-      removed_on_signal_(path.string()) {
+    : path(destination / staging_name()), destination_(destination), removed_on_signal_(path.string()) {
     std::error_code error;
     std::filesystem::create_directory(path, error);
-    if (error) throw failure(fmt::format("{}: cannot be made: {}", path.string(), error.message()));
+    if (error)
+        throw failure(fmt::format("{}: cannot be written into: {}", destination.string(), error.message()));
 }
 
 staged_folder::~staged_folder() {
@@ -224,7 +241,20 @@ staged_folder::~staged_folder() {
     std::filesystem::remove_all(path, ignored);
 }
 
+void staged_folder::require_places() const {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(path)) {
+        const std::string place = (destination_ / entry.path().lexically_relative(path)).string();
+        std::error_code error;
+        if (!std::filesystem::exists(place, error)) continue;
+        const bool folder = std::filesystem::is_directory(place, error);
+        if (folder == entry.is_directory()) continue;
+        throw bad_input(fmt::format("{}: is a {} where a {} must go; move it away", place,
+                                    folder ? "folder" : "file", folder ? "file" : "folder"));
+    }
+}
+
 void staged_folder::finish() const {
+    require_places();
     for (const auto& entry : std::filesystem::recursive_directory_iterator(path)) {
         const std::filesystem::path place = destination_ / entry.path().lexically_relative(path);
         std::error_code error;

@@ -49,15 +49,21 @@ public:
     staged_folder(const staged_folder&) = delete;
     staged_folder& operator=(const staged_folder&) = delete;
 
-    /// Moves everything to the destination, over what is there. Throws failure naming the file that cannot be moved.
+    /// Moves everything to the destination, over what is there. Throws bad_input before anything is moved where a folder
+    /// is in the place of a file or a file in that of a folder, failure naming the file that cannot be moved.
     void finish() const;
 
     const std::filesystem::path path;
 
 private:
+    void require_places() const;
+
     std::filesystem::path destination_;
     leftover removed_on_signal_;
 };
+
+/// The path that a file in a staged folder will have; any other as it is.
+std::string final_path(std::string path);
 
 using file_handle = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
