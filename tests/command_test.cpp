@@ -102,6 +102,19 @@ TEST_F(command, eval_takes_n_k_and_f0_from_a_material_of_any_kind) {
     EXPECT_NEAR(at_82("f82_tint"), at_82("conductor"), 1e-12);
 }
 
+TEST_F(command, eval_takes_r_and_g_of_a_material_that_give_its_reflectance) {
+    for (const std::string name : {"gold", "silver", "aluminium", "silicon", "n-bk7", "water", "vacuum"}) {
+        const auto at = " --material " + name + " --theta 0:89:10 --json";
+        const nlohmann::json exact = json("eval conductor" + at), edge = json("eval gulbrandsen" + at);
+        for (std::size_t i = 0; i < 10; ++i)
+            EXPECT_NEAR(edge["results"][i]["R"].get<double>(), exact["results"][i]["R"].get<double>(), 1e-12)
+                << name << " " << i;
+    }
+    EXPECT_EQ(json("eval gulbrandsen --material gold --g 0.5 --json")["parameters"]["g"], 0.5);
+    write("thin.csv", "wavelength_nm,n,k\n500,0.3,0.2\n");
+    expect_refused("eval gulbrandsen --material thin.csv", {"n = 0.3, k = 0.2", "g"});
+}
+
 TEST_F(command, numbers_are_printed_so_that_they_read_back_as_the_same_double) {
     const double R =
         json("eval conductor --n-t 0.2 --k-t 3 --cos-i 0.3 --json")["results"][0]["R"].get<double>();
