@@ -421,6 +421,20 @@ TEST_F(command, a_table_beyond_every_index_is_refused_by_line_and_column) {
     expect_refused("angles --material high.csv", {"n_t = 2000", "[0.001, 1000]"});
 }
 
+TEST_F(command, a_table_that_is_no_utf_8_is_named) {
+    write("wide.csv", std::string("\xff\xfe"
+                                  "f\0"
+                                  "0\0",
+                                  6));
+    expect_refused("f0 wide.csv", {"wide.csv:1:1: is UTF-16; save it as UTF-8"});
+    expect_refused("eval schlick --csv wide.csv", {"line 1, column 1: is UTF-16; save it as UTF-8"});
+    write("zero.csv", std::string("f\0"
+                                  "0,cos_i\n",
+                                  9));
+    expect_refused("f0 zero.csv", {"column 'f\\x000' is unknown; the header is"});
+    expect_refused("eval schlick --csv zero.csv", {"'f\\x000' is no argument", "it takes"});
+}
+
 TEST_F(command, a_file_s_name_need_not_be_utf_8) {
     write("\xff.csv", "wavelength_nm,n,k\n500,0.5,3\n600,0.4,3\n");
     for (const char* arguments : {"f0 \xff.csv --json", "compare \xff.csv --json", "f0 \xff.csv"})

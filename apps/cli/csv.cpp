@@ -7,6 +7,7 @@
 #include "error.hpp"
 #include "figure/leftover.hpp"
 #include "files.hpp"
+#include "materials/table.hpp"
 
 #include <fmt/format.h>
 
@@ -99,6 +100,8 @@ public:
         line = {buffer_, static_cast<std::size_t>(size)};
         if (line.ends_with('\n')) line.remove_suffix(1);
         if (line.ends_with('\r')) line.remove_suffix(1);
+        if (number_ == 1 && begins_utf_16(line))
+            throw bad_input("line 1, column 1: is UTF-16; save it as UTF-8");
         if (number_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
         return true;
     }

@@ -286,6 +286,10 @@ std::optional<double> parse_number(std::string_view text) {
     return value;
 }
 
+bool begins_utf_16(std::string_view text) {
+    return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
+}
+
 std::string_view trimmed(std::string_view text) {
     constexpr std::string_view white = " \t\r\n";
     const std::size_t first = text.find_first_not_of(white);
@@ -356,6 +360,7 @@ std::string guessed_class(const material& what) {
 material read_csv_material(std::string_view csv, const std::string& file) {
     std::optional<csv_columns> columns;
     std::vector<csv_row> rows;
+    if (begins_utf_16(csv)) place{file, 1, 1}.fail("is UTF-16; save it as UTF-8");
     for_each_line(without_byte_order_mark(csv), [&](std::string_view line, int number) {
         if (is_remark(line)) return;
         const place at{file, number};

@@ -17,6 +17,9 @@ namespace fresnel {
 /// nor for one that is infinite or not a number.
 std::optional<double> parse_number(std::string_view text);
 
+/// Whether a text begins with a byte order mark of UTF-16.
+bool begins_utf_16(std::string_view text);
+
 /// What an index may be in a table, wider than what a model takes: published n of films and metamaterials are
 /// below 0 and beyond 1000.
 inline constexpr double largest_index = 1e4;
