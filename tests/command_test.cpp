@@ -405,6 +405,13 @@ TEST_F(command, what_is_printed_does_not_go_into_a_file) {
     EXPECT_EQ(run("eval schlick --csv - <&-").code, 1);
 }
 
+TEST_F(command, a_folder_for_scratch_files_that_is_none_is_named) {
+    const auto result = run("plot copper --out a.png", "TMPDIR=/nonexist ");
+    EXPECT_EQ(result.code, 1);
+    EXPECT_EQ(result.err, "fresnel: TMPDIR '/nonexist': is no folder for scratch files\n");
+    EXPECT_TRUE(files().empty());
+}
+
 TEST_F(command, a_table_beyond_every_index_is_refused_by_line_and_column) {
     write("n.csv", "wavelength_nm,n,k\n500,1.5,0\n600,1e60,0\n");
     write("k.csv", "wavelength_nm,n,k\n500,1.5,1e60\n");
