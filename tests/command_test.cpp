@@ -115,6 +115,19 @@ TEST_F(command, eval_takes_r_and_g_of_a_material_that_give_its_reflectance) {
     expect_refused("eval gulbrandsen --material thin.csv", {"n = 0.3, k = 0.2", "g"});
 }
 
+TEST_F(command, a_negative_zero_is_zero) {
+    EXPECT_EQ(run("eval dielectric --cos-i -0 --json").out, run("eval dielectric --cos-i 0 --json").out);
+    EXPECT_EQ(run("eval one_minus_cos --csv -", "printf 'cos_i\\n-0\\n' | ").out, "cos_i,R\n-0,1\n");
+    EXPECT_EQ(run("eval dielectric --csv -", "printf 'n_t,cos_i\\n1.5,-0\\n' | ").out.find(",-0\n"),
+              std::string::npos);
+}
+
+TEST_F(command, a_negative_number_need_not_begin_with_a_zero) {
+    EXPECT_EQ(run("identify -.2").out, run("identify -0.2").out);
+    EXPECT_EQ(run("identify -.2").code, 0);
+    expect_refused("convert f0 -.1", {"F0 = -0.1", "[0, 1]"});
+}
+
 TEST_F(command, numbers_are_printed_so_that_they_read_back_as_the_same_double) {
     const double R =
         json("eval conductor --n-t 0.2 --k-t 3 --cos-i 0.3 --json")["results"][0]["R"].get<double>();
@@ -354,6 +367,12 @@ TEST_F(command, nothing_or_too_much_is_refused) {
     expect_refused("figures --list --out x", {"--out 'x'", "--list"});
     expect_refused("shader schlick --fix f0=.1 --fix f0=.2", {"--fix 'f0=.2'", "already"});
     expect_refused("shader schlick --name ''", {"--name", "''"});
+    expect_refused("--verison", {"'--verison'", "did you mean '--version'"});
+    expect_refused("-x", {"'-x'", "--help"});
+    for (const char* law : {"disney", "unreal", "frostbite", "unity"})
+        expect_refused(std::string("convert metalness --base .5 --ior 1.6 --law ") + law, {"--ior 1.6", law});
+    expect_refused("convert metalness --f0 .5 --albedo 0 --ior 1.6 --law unity", {"--ior 1.6", "unity"});
+    EXPECT_EQ(run("convert metalness --base .5 --ior 1.6").code, 0);
 }
 
 TEST_F(command, a_value_outside_its_range_is_refused_with_the_range) {
@@ -371,6 +390,9 @@ TEST_F(command, a_value_outside_its_range_is_refused_with_the_range) {
     expect_refused("eval schlick --theta 0:90:1", {"0:90:1", "COUNT"});
     expect_refused("eval schlick --theta 0:90", {"0:90", "COUNT"});
     expect_refused("eval schlick --material copper --wavelength 0", {"wavelength = 0"});
+    expect_refused("eval dielectric --n-t 1e999", {"n_t = inf", "[0.001, 1000]"});
+    expect_refused("eval dielectric --n-t 1e-400", {"n_t = 0", "[0.001, 1000]"});
+    EXPECT_EQ(run("eval conductor --k-t 1e-400 --cos-i 1").code, 0);
     expect_refused("f0 copper --ambient 0", {"ambient = 0", "[0.01, 100]"});
     expect_refused("f0 copper --ambient nan", {"ambient = nan", "[0.01, 100]"});
     expect_refused("compare copper --ambient air", {"ambient = 'air'", "number"});

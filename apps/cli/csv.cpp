@@ -228,6 +228,7 @@ void read_row(const std::vector<std::string_view>& cells, const layout& header, 
         const auto place = [&] { return fmt::format("line {}, column {} ({})", line, column + 1, p.name); };
         if (!parse(cells[column], values[index]))
             throw bad_input(fmt::format("{}: '{}' is not a number", place(), cells[column]));
+        if (values[index] == 0) values[index] = 0; // -0 is 0
         if (!allowed.hold(values[index], index))
             throw bad_input(fmt::format("{}: {} is not in [{}, {}]", place(), cells[column], p.min, p.max));
     }
