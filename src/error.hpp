@@ -5,20 +5,28 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace fresnel {
 
+/// A message with what would end it, the zero bytes of a file that is no text, written out.
+inline std::string whole_message(std::string message) {
+    for (std::size_t i = 0; (i = message.find('\0', i)) != std::string::npos;)
+        message.replace(i, 1, "\\x00");
+    return message;
+}
+
 /// What the user gave cannot be used: the message names the argument, its value and what is allowed.
 /// The command prints it as one line, "fresnel: ...", and exits with 2.
 struct bad_input : std::runtime_error {
-    using std::runtime_error::runtime_error;
+    explicit bad_input(std::string message) : std::runtime_error(whole_message(std::move(message))) {}
 };
 
 /// Something that should have worked did not (an unwritable folder, a missing program).
 /// The command prints it as one line, "fresnel: ...", and exits with 1.
 struct failure : std::runtime_error {
-    using std::runtime_error::runtime_error;
+    explicit failure(std::string message) : std::runtime_error(whole_message(std::move(message))) {}
 };
 
 /// Number of single-character edits that turn one word into another (Levenshtein distance).

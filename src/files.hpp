@@ -27,9 +27,12 @@ public:
 
 private:
     static std::filesystem::path made() {
-        std::string name = (std::filesystem::temp_directory_path() / "fresnel-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw failure(name + ": cannot be made");
-        return name;
+        std::error_code error;
+        std::string name = (std::filesystem::temp_directory_path(error) / "fresnel-XXXXXX").string();
+        if (!error && mkdtemp(name.data()) != nullptr) return name;
+        const char* wanted = std::getenv("TMPDIR");
+        throw failure(std::string("TMPDIR '") + (wanted != nullptr ? wanted : "/tmp") +
+                      "': is no folder for scratch files");
     }
 
     leftover removed_on_signal_;

@@ -102,6 +102,32 @@ TEST_F(command, eval_takes_n_k_and_f0_from_a_material_of_any_kind) {
     EXPECT_NEAR(at_82("f82_tint"), at_82("conductor"), 1e-12);
 }
 
+TEST_F(command, eval_takes_r_and_g_of_a_material_that_give_its_reflectance) {
+    for (const std::string name : {"gold", "silver", "aluminium", "silicon", "n-bk7", "water", "vacuum"}) {
+        const auto at = " --material " + name + " --theta 0:89:10 --json";
+        const nlohmann::json exact = json("eval conductor" + at), edge = json("eval gulbrandsen" + at);
+        for (std::size_t i = 0; i < 10; ++i)
+            EXPECT_NEAR(edge["results"][i]["R"].get<double>(), exact["results"][i]["R"].get<double>(), 1e-12)
+                << name << " " << i;
+    }
+    EXPECT_EQ(json("eval gulbrandsen --material gold --g 0.5 --json")["parameters"]["g"], 0.5);
+    write("thin.csv", "wavelength_nm,n,k\n500,0.3,0.2\n");
+    expect_refused("eval gulbrandsen --material thin.csv", {"n = 0.3, k = 0.2", "g"});
+}
+
+TEST_F(command, a_negative_zero_is_zero) {
+    EXPECT_EQ(run("eval dielectric --cos-i -0 --json").out, run("eval dielectric --cos-i 0 --json").out);
+    EXPECT_EQ(run("eval one_minus_cos --csv -", "printf 'cos_i\\n-0\\n' | ").out, "cos_i,R\n-0,1\n");
+    EXPECT_EQ(run("eval dielectric --csv -", "printf 'n_t,cos_i\\n1.5,-0\\n' | ").out.find(",-0\n"),
+              std::string::npos);
+}
+
+TEST_F(command, a_negative_number_need_not_begin_with_a_zero) {
+    EXPECT_EQ(run("identify -.2").out, run("identify -0.2").out);
+    EXPECT_EQ(run("identify -.2").code, 0);
+    expect_refused("convert f0 -.1", {"F0 = -0.1", "[0, 1]"});
+}
+
 TEST_F(command, numbers_are_printed_so_that_they_read_back_as_the_same_double) {
     const double R =
         json("eval conductor --n-t 0.2 --k-t 3 --cos-i 0.3 --json")["results"][0]["R"].get<double>();
@@ -165,20 +191,35 @@ TEST_F(command, csv_out_follows_links_and_writes_into_what_is_no_file) {
     EXPECT_EQ(files().size(), 4u) << "the link, the pipe, the results and the rows";
 }
 
+TEST_F(command, out_into_a_descriptor_of_ours_follows_what_was_written_there) {
+    write("rows.csv", "f0,cos_i\n0.04,1\n");
+    const std::string rows = "f0,cos_i,R\n0.04,1,0.04\n", before = "echo before; ";
+    for (const char* out : {"/dev/stdout", "/dev/fd/1", "/proc/self/fd/1", "-", "link", "/dev/fd/3 3>&1"}) {
+        const std::string link = before + "ln -sf /dev/stdout link; ";
+        EXPECT_EQ(run("eval schlick --csv rows.csv --out " + std::string(out), link).out, "before\n" + rows)
+            << out;
+    }
+    const auto plot = run("plot schlick --out link.csv", before + "ln -s /dev/stdout link.csv; ");
+    EXPECT_EQ(plot.out.rfind("before\nangle of incidence", 0), 0u) << plot.out;
+    EXPECT_TRUE(plot.out.ends_with("wrote link.csv\n")) << plot.out;
+    EXPECT_EQ(files().size(), 3u) << "two links and the rows";
+}
+
 // Ended by a signal, a program that ends so leaves a shell the code 128 + signal.
 TEST_F(command, ended_by_a_signal_leaves_nothing) {
-    const auto end_when = [](const std::string& there) {
+    const auto end_when = [](const std::string& there, const std::string& signal = "TERM") {
         return " & for i in $(seq 500); do ls -d " + there + " >/dev/null 2>&1 && break; sleep 0.02; done; " +
-               "kill $!; wait $!; echo $?";
+               "kill -" + signal + " $!; wait $!; echo $?";
     };
     EXPECT_EQ(run("figures --out out/figures >/dev/null" + end_when("out/figures/.*.part"),
                   "export TMPDIR=\"$PWD\"; ")
                   .out,
               "143\n");
     EXPECT_EQ(files(), std::vector<std::string>());
-    EXPECT_EQ(
-        run("eval schlick --csv in --out results.csv" + end_when("*.part"), "mkfifo in; exec 3<>in; ").out,
-        "143\n");
+    const std::string pipe = "rm -f in; mkfifo in; exec 3<>in; ";
+    for (const auto& [signal, code] : {std::pair("TERM", "143\n"), {"PIPE", "141\n"}, {"XFSZ", "153\n"}})
+        EXPECT_EQ(run("eval schlick --csv in --out results.csv" + end_when("*.part", signal), pipe).out,
+                  code);
     EXPECT_EQ(files(), std::vector<std::string>{"in"});
 }
 
@@ -189,6 +230,18 @@ TEST_F(command, a_report_that_cannot_be_written_leaves_nothing) {
     EXPECT_EQ(result.code, 1) << result.err;
     EXPECT_EQ(run("shader --write shaders", full).code, 1);
     EXPECT_EQ(files(), std::vector<std::string>());
+}
+
+TEST_F(command, a_folder_in_the_place_of_a_file_is_refused_before_anything_is_moved) {
+    for (const char* place : {"report.json", "index.html"}) {
+        std::filesystem::remove_all(folder / "work" / "out");
+        std::filesystem::create_directories(folder / "work" / "out" / place);
+        const auto result = run("compare vacuum --out out");
+        EXPECT_EQ(result.code, 2);
+        EXPECT_NE(result.err.find("out/" + std::string(place) + ": is a folder"), std::string::npos)
+            << result.err;
+        EXPECT_EQ(files(), (std::vector<std::string>{"out", "out/" + std::string(place)}));
+    }
 }
 
 TEST_F(command, csv_on_a_pipe_ends_after_the_last_complete_row) {
@@ -314,6 +367,12 @@ TEST_F(command, nothing_or_too_much_is_refused) {
     expect_refused("figures --list --out x", {"--out 'x'", "--list"});
     expect_refused("shader schlick --fix f0=.1 --fix f0=.2", {"--fix 'f0=.2'", "already"});
     expect_refused("shader schlick --name ''", {"--name", "''"});
+    expect_refused("--verison", {"'--verison'", "did you mean '--version'"});
+    expect_refused("-x", {"'-x'", "--help"});
+    for (const char* law : {"disney", "unreal", "frostbite", "unity"})
+        expect_refused(std::string("convert metalness --base .5 --ior 1.6 --law ") + law, {"--ior 1.6", law});
+    expect_refused("convert metalness --f0 .5 --albedo 0 --ior 1.6 --law unity", {"--ior 1.6", "unity"});
+    EXPECT_EQ(run("convert metalness --base .5 --ior 1.6").code, 0);
 }
 
 TEST_F(command, a_value_outside_its_range_is_refused_with_the_range) {
@@ -331,6 +390,9 @@ TEST_F(command, a_value_outside_its_range_is_refused_with_the_range) {
     expect_refused("eval schlick --theta 0:90:1", {"0:90:1", "COUNT"});
     expect_refused("eval schlick --theta 0:90", {"0:90", "COUNT"});
     expect_refused("eval schlick --material copper --wavelength 0", {"wavelength = 0"});
+    expect_refused("eval dielectric --n-t 1e999", {"n_t = inf", "[0.001, 1000]"});
+    expect_refused("eval dielectric --n-t 1e-400", {"n_t = 0", "[0.001, 1000]"});
+    EXPECT_EQ(run("eval conductor --k-t 1e-400 --cos-i 1").code, 0);
     expect_refused("f0 copper --ambient 0", {"ambient = 0", "[0.01, 100]"});
     expect_refused("f0 copper --ambient nan", {"ambient = nan", "[0.01, 100]"});
     expect_refused("compare copper --ambient air", {"ambient = 'air'", "number"});
@@ -344,6 +406,62 @@ TEST_F(command, whatever_a_value_holds_the_error_is_one_line) {
 TEST_F(command, output_that_does_not_arrive_is_a_failure) {
     for (const char* arguments : {"--help", "eval --help", "--version", "models", "f0 gold --json"})
         EXPECT_EQ(run(std::string(arguments) + " >/dev/full").code, 1) << arguments;
+}
+
+TEST_F(command, a_message_that_does_not_arrive_changes_nothing) {
+    for (const char* nowhere : {" 2>&-", " 2>/dev/full"}) {
+        EXPECT_EQ(run(std::string("f0 nosuch") + nowhere).code, 2);
+        EXPECT_EQ(run(std::string("lut gold --out q.png") + nowhere).code, 0);
+    }
+    EXPECT_EQ(run("models >&- 2>&-").code, 1);
+}
+
+// A file that is opened would otherwise be given the number of a stream that is closed.
+TEST_F(command, what_is_printed_does_not_go_into_a_file) {
+    EXPECT_EQ(run("lut gold --out expected.exr").code, 0);
+    EXPECT_EQ(run("lut gold --out closed_1.exr 2>&-").code, 0);
+    EXPECT_EQ(run("lut gold --out closed_2.exr <&- >&- 2>&-").code, 1);
+    const auto size = [&](const char* name) { return std::filesystem::file_size(folder / "work" / name); };
+    EXPECT_EQ(size("closed_1.exr"), size("expected.exr"));
+    EXPECT_EQ(size("closed_2.exr"), size("expected.exr"));
+    EXPECT_EQ(run("eval schlick --csv - <&-").code, 1);
+}
+
+TEST_F(command, a_folder_for_scratch_files_that_is_none_is_named) {
+    const auto result = run("plot copper --out a.png", "TMPDIR=/nonexist ");
+    EXPECT_EQ(result.code, 1);
+    EXPECT_EQ(result.err, "fresnel: TMPDIR '/nonexist': is no folder for scratch files\n");
+    EXPECT_TRUE(files().empty());
+}
+
+TEST_F(command, a_table_beyond_every_index_is_refused_by_line_and_column) {
+    write("n.csv", "wavelength_nm,n,k\n500,1.5,0\n600,1e60,0\n");
+    write("k.csv", "wavelength_nm,n,k\n500,1.5,1e60\n");
+    write("n.yml", "DATA:\n  - type: tabulated nk\n    data: |\n      0.5 1e60 0\n");
+    write("formula.yml",
+          "DATA:\n  - type: formula 5\n    wavelength_range: 0.3 0.9\n    coefficients: 1e60\n");
+    write("high.csv", "wavelength_nm,n,k\n500,2000,0\n");
+    for (const char* with : {"f0 ", "compare ", "angles --material ", "eval conductor --material "}) {
+        expect_refused(std::string(with) + "n.csv", {"n.csv:3:5: n is 1e60", "[0, 10000]"});
+        expect_refused(std::string(with) + "k.csv", {"k.csv:2:9: k is 1e60", "[0, 10000]"});
+        expect_refused(std::string(with) + "n.yml", {"n.yml:4: n is 1e60", "10000]"});
+        expect_refused(std::string(with) + "formula.yml", {"n = 1e+60", "10000]"});
+    }
+    expect_refused("angles --material high.csv", {"n_t = 2000", "[0.001, 1000]"});
+}
+
+TEST_F(command, a_table_that_is_no_utf_8_is_named) {
+    write("wide.csv", std::string("\xff\xfe"
+                                  "f\0"
+                                  "0\0",
+                                  6));
+    expect_refused("f0 wide.csv", {"wide.csv:1:1: is UTF-16; save it as UTF-8"});
+    expect_refused("eval schlick --csv wide.csv", {"line 1, column 1: is UTF-16; save it as UTF-8"});
+    write("zero.csv", std::string("f\0"
+                                  "0,cos_i\n",
+                                  9));
+    expect_refused("f0 zero.csv", {"column 'f\\x000' is unknown; the header is"});
+    expect_refused("eval schlick --csv zero.csv", {"'f\\x000' is no argument", "it takes"});
 }
 
 TEST_F(command, a_file_s_name_need_not_be_utf_8) {

@@ -2,6 +2,7 @@
 
 #include "command.hpp"
 #include "error.hpp"
+#include "figure/leftover.hpp"
 
 #include <png.h>
 
@@ -185,6 +186,7 @@ TEST_F(figures, a_place_that_cannot_be_written_is_a_failure_that_names_it) {
         EXPECT_NE(std::string(error.what()).find("missing/one.svg"), std::string::npos) << error.what();
     }
     EXPECT_THROW(write_file("/proc/fresnel", "x"), failure);
+    EXPECT_EQ(final_path(staged_folder(dir()).path / "one.svg"), dir() + "/one.svg");
     EXPECT_TRUE(files().empty());
 }
 

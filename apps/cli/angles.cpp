@@ -40,6 +40,7 @@ media chosen_media(const options& given) {
                 parse_parameter(row::k_t, given.k_t.value_or("0"))};
     const double nm = parse_parameter({"--wavelength", "nm", 1, 1e9, 550}, given.wavelength.value_or("550"));
     const optical_index index = used_index(load_material(given.material), nm);
+    check_range(row::n_t, index.n), check_range(row::k_t, index.k);
     return {n_i, index.n, index.k};
 }
 

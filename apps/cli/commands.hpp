@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cstdio>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -36,6 +37,13 @@ void add_cost(CLI::App& app);
 /// A command with its one-line description and the examples that end its help.
 CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& description,
                       const std::string& examples);
+
+/// Says something on standard error. What does not arrive there changes nothing else.
+template <class... T>
+void say(fmt::format_string<T...> text, T&&... values) {
+    const std::string message = fmt::format(text, std::forward<T>(values)...);
+    std::fwrite(message.data(), 1, message.size(), stderr);
+}
 
 /// Prints JSON, two spaces deep, numbers in the fewest digits that read back as the same double.
 void print_json(const nlohmann::json& value);

@@ -48,8 +48,8 @@ void print(const comparison& result) {
 
 // One line on a terminal that is overwritten; nothing where the output is a file.
 void progress(std::size_t done, std::size_t count, std::string_view what) {
-    if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[Kcompare: {}/{} {}", done, count, what);
-    if (isatty(STDERR_FILENO) != 0 && done == count) fmt::print(stderr, "\n");
+    if (isatty(STDERR_FILENO) != 0) say("\r\033[Kcompare: {}/{} {}", done, count, what);
+    if (isatty(STDERR_FILENO) != 0 && done == count) say("\n");
 }
 
 void run(const options& given) {

@@ -127,8 +127,7 @@ void run_f0(const f0_options& given) {
 struct metalness_options {
     std::string law;
     words base, f0, albedo;
-    std::optional<std::string> metalness, specular;
-    std::string ior = "1.5";
+    std::optional<std::string> metalness, specular, ior;
     bool json = false;
 };
 
@@ -142,6 +141,12 @@ double specular_of(const metalness_law& law, const metalness_options& given) {
     return parse_parameter({"--specular", "1", 0, law.specular_max, 0}, *given.specular);
 }
 
+double ior_of(const metalness_law& law, const metalness_options& given) {
+    if (given.ior && !law.has_ior && !given.law.empty())
+        throw bad_input(fmt::format("--ior {}: {} has no ior; leave it out", *given.ior, law.name));
+    return parse_parameter({"--ior", "1", 1, 100, 1.5}, given.ior.value_or("1.5"));
+}
+
 nlohmann::json surface_json(const surface_colors& s) { return {{"f0", s.f0}, {"albedo", s.albedo}}; }
 
 nlohmann::json values_json(const metalness_law& law, const metalness_values& v) {
@@ -151,10 +156,10 @@ nlohmann::json values_json(const metalness_law& law, const metalness_values& v) 
     return result;
 }
 
-nlohmann::json forwards(const metalness_law& law, const metalness_options& given, double ior) {
+nlohmann::json forwards(const metalness_law& law, const metalness_options& given) {
     const metalness_values v{colour("--base", given.base),
                              parse_parameter({"--metalness", "1", 0, 1, 0}, given.metalness.value_or("0")),
-                             specular_of(law, given), ior};
+                             specular_of(law, given), ior_of(law, given)};
     const surface_colors s = to_surface(law, v);
     nlohmann::json result = values_json(law, v);
     result.update(surface_json(s));
@@ -190,14 +195,13 @@ void run_metalness(const metalness_options& given) {
         throw bad_input("--f0, --albedo: both are needed to find the parameters");
     if (back && (given.metalness || given.specular))
         throw bad_input("--metalness, --specular: are what --f0 and --albedo find; leave them out");
-    const double ior = parse_parameter({"--ior", "1", 1, 100, 1.5}, given.ior);
     surface_colors wanted{};
     if (back) wanted = {colour("--f0", given.f0, 1.2), colour("--albedo", given.albedo)};
 
     std::vector<nlohmann::json> results;
     for (const metalness_law& law : metalness_laws())
         if (given.law.empty() || law.name == find_metalness_law(given.law).name)
-            results.push_back(back ? backwards(law, wanted, ior) : forwards(law, given, ior));
+            results.push_back(back ? backwards(law, wanted, ior_of(law, given)) : forwards(law, given));
     if (given.json)
         return print_json(given.law.empty() ? nlohmann::json{{"laws", results}} : results.front());
     for (const nlohmann::json& r : results)

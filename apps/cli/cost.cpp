@@ -197,7 +197,7 @@ void run(options given) {
     if (given.isa) return print_listings(given);
     if (given.models.empty() && given.program.empty() && !given.recorded) {
         given.models = names_of_models();
-        if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "cost: every model, some seconds\n");
+        if (isatty(STDERR_FILENO) != 0) say("cost: every model, some seconds\n");
     }
     const std::vector<cost_row> rows =
         given.recorded             ? recorded_rows(given)

@@ -1,10 +1,13 @@
 #include "csv.hpp"
 
+#include "commands.hpp"
+
 #include "analysis/model_table.hpp"
 #include "analysis/multi.hpp"
 #include "error.hpp"
 #include "figure/leftover.hpp"
 #include "files.hpp"
+#include "materials/table.hpp"
 
 #include <fmt/format.h>
 
@@ -22,8 +25,6 @@
 namespace fresnel::cli {
 
 namespace {
-
-using file_handle = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
 // ---- numbers ----------------------------------------------------------------------------------------------
 
@@ -99,6 +100,8 @@ public:
         line = {buffer_, static_cast<std::size_t>(size)};
         if (line.ends_with('\n')) line.remove_suffix(1);
         if (line.ends_with('\r')) line.remove_suffix(1);
+        if (number_ == 1 && begins_utf_16(line))
+            throw bad_input("line 1, column 1: is UTF-16; save it as UTF-8");
         if (number_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
         return true;
     }
@@ -128,8 +131,7 @@ public:
     explicit row_writer(const std::string& path) : name_(path == "-" ? "" : path) {
         if (is_folder(name_)) throw bad_input(fmt::format("--out '{}': is a folder; give a file", name_));
         if (!name_.empty()) staged_.emplace(name_);
-        file_ = staged_ ? file_handle(std::fopen(staged_->path.c_str(), "wb"), std::fclose)
-                        : file_handle(stdout, [](std::FILE*) { return 0; });
+        file_ = staged_ ? staged_->open() : file_handle(stdout, [](std::FILE*) { return 0; });
         if (!file_)
             throw bad_input(
                 fmt::format("--out '{}': cannot be written; give a file in a folder that can", name_));
@@ -140,7 +142,7 @@ public:
         if (++lines_ % 65536 == 0) show_progress();
     }
     void finish() {
-        if (shows_progress()) fmt::print(stderr, "\r\033[K");
+        if (shows_progress()) say("\r\033[K");
         if (std::fflush(file_.get()) != 0) fail();
         if (staged_ && (std::fclose(file_.release()) != 0 || !staged_->finish())) fail();
     }
@@ -152,7 +154,7 @@ private:
     // One line on a terminal that is overwritten; nothing where the rows themselves are seen.
     bool shows_progress() const { return staged_ && staged_->is_beside() && isatty(STDERR_FILENO) != 0; }
     void show_progress() const {
-        if (shows_progress()) fmt::print(stderr, "\r\033[Keval: {} rows", lines_);
+        if (shows_progress()) say("\r\033[Keval: {} rows", lines_);
     }
 
     std::string name_;
@@ -226,6 +228,7 @@ void read_row(const std::vector<std::string_view>& cells, const layout& header, 
         const auto place = [&] { return fmt::format("line {}, column {} ({})", line, column + 1, p.name); };
         if (!parse(cells[column], values[index]))
             throw bad_input(fmt::format("{}: '{}' is not a number", place(), cells[column]));
+        if (values[index] == 0) values[index] = 0; // -0 is 0
         if (!allowed.hold(values[index], index))
             throw bad_input(fmt::format("{}: {} is not in [{}, {}]", place(), cells[column], p.min, p.max));
     }

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace fresnel::cli {
@@ -47,6 +48,17 @@ angles chosen_angles(const options& given) {
     return result;
 }
 
+// The g of gulbrandsen, which mixes n from the two that are its ends at that r.
+double edge_tint_of(const optical_index& index) {
+    const double r = normal_reflectance(1.0, index.n, index.k);
+    const double most = (1 + std::sqrt(r)) / (1 - std::sqrt(r)), least = (1 - r) / (1 + r);
+    const double g = r == 0 ? 0 : (most - index.n) / (most - least);
+    if (g <= 1 + 1e-12) return std::clamp(g, 0.0, 1.0);
+    throw bad_input(
+        fmt::format("--material: n = {:.4g}, k = {:.4g} has no g, which needs n^2 + k^2 >= 1; give --g",
+                    index.n, index.k));
+}
+
 // What an index says of a parameter, the medium outside being air.
 double from_index(const optical_index& index, const parameter& p) {
     const auto reflectance = [&](double c) { return conductor(1.0, index.n, index.k, c).reflectance(); };
@@ -54,6 +66,7 @@ double from_index(const optical_index& index, const parameter& p) {
     if (p.name == "n_t" || p.name == "n" || p.name == "eta") return index.n;
     if (p.name == "k_t" || p.name == "k") return index.k;
     if (p.name == "f0" || p.name == "r") return normal_reflectance(1.0, index.n, index.k);
+    if (p.name == "g") return edge_tint_of(index);
     if (p.name == "f82") return reflectance(c82);
     if (p.name == "tint")
         return std::min(tint_of_f82(normal_reflectance(1.0, index.n, index.k), reflectance(c82)), 1.0);
@@ -196,7 +209,7 @@ void add_eval(CLI::App& app) {
         ->type_name("LIST");
     command->add_option("--theta", given->theta, "angles in degrees, in the same form (default 0:90:10)")
         ->type_name("LIST");
-    command->add_option("--material", given->material, "take n, k, f0, f82 and tint from this material")
+    command->add_option("--material", given->material, "take n, k, f0, f82, tint, r and g from this material")
         ->type_name("NAME");
     command->add_option("--wavelength", given->wavelength, "of the material, in nm (default 550)")
         ->type_name("NM");

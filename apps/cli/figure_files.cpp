@@ -1,6 +1,7 @@
 #include "figure_files.hpp"
 
 #include "error.hpp"
+#include "figure/leftover.hpp"
 #include "files.hpp"
 
 #include <fmt/format.h>
@@ -22,6 +23,7 @@ figure_writer writer_of(std::string_view argument, const std::string& path) {
 
 void require_writable(std::string_view argument, const std::string& path) {
     if (is_folder(path)) throw bad_input(fmt::format("{} '{}': is a folder; give a file", argument, path));
+    if (!staged_file(path).is_beside()) return;
     const std::filesystem::path parent = std::filesystem::path(path).parent_path();
     if (access(parent.empty() ? "." : parent.c_str(), W_OK | X_OK) != 0)
         throw bad_input(

@@ -52,7 +52,7 @@ void run(const options& given) {
     if (given.ids.empty() && given.out.empty())
         throw bad_input("--out: must name the folder to write into (or name figures to print, or --list)");
     if (!given.out.empty()) {
-        if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "figures: drawing {}\n", wanted.size());
+        if (isatty(STDERR_FILENO) != 0) say("figures: drawing {}\n", wanted.size());
         write_source_figures(wanted, given.out);
     }
     nlohmann::json all = nlohmann::json::array();

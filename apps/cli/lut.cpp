@@ -162,7 +162,7 @@ void print_errors(const options& given, const emit::lut_subject& subject) {
 void draw(const options& given, const emit::lut_subject& subject) {
     if (subject.by)
         throw bad_input(fmt::format("--plot '{}': draws tables of one row; leave out --by", given.plot));
-    if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "lut: measuring tables of 8 to 1024 texels\n");
+    if (isatty(STDERR_FILENO) != 0) say("lut: measuring tables of 8 to 1024 texels\n");
     const std::string id = slug(std::filesystem::path(given.plot).stem().string());
     write_file(given.plot, writer_of("--plot", given.plot)(emit::lut_figure(subject, id)));
     fmt::print("wrote {}\n", given.plot);
@@ -179,7 +179,7 @@ void bake_table(const options& given, const emit::lut_subject& subject) {
                         "textures",
                         language, emit::to_string(wanted.format)));
     if (wanted.columns * wanted.rows > 20000 && isatty(STDERR_FILENO) != 0)
-        fmt::print(stderr, "lut: measuring {} x {} texels\n", wanted.columns, wanted.rows);
+        say("lut: measuring {} x {} texels\n", wanted.columns, wanted.rows);
     const emit::lut table = emit::bake(subject, wanted);
     const std::string text =
         array ? emit::lut_header(table, names) : emit::sampler_text(language, table, names);
@@ -187,7 +187,7 @@ void bake_table(const options& given, const emit::lut_subject& subject) {
     if (given.json) return print_json(to_json(table, text, given));
     if (!array || given.out.empty()) fmt::print("{}", text);
     if (!given.out.empty())
-        fmt::print(stderr, "lut: wrote {}, {}: {}\n", given.out, table.map->name, emit::error_text(table));
+        say("lut: wrote {}, {}: {}\n", given.out, table.map->name, emit::error_text(table));
 }
 
 void check(const options& given) {

@@ -6,8 +6,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
+#include <cstdlib>
+#include <fcntl.h>
 #include <iostream>
 #include <unistd.h>
 
@@ -39,7 +42,10 @@ bool colours_wanted() { return isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COL
 double parse_number(std::string_view argument, std::string_view text) {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error == std::errc{} && end == text.data() + text.size()) return value;
+    // an underflow to 0 or overflow to infinity is what strtod makes of it
+    if (error == std::errc::result_out_of_range) value = std::strtod(std::string(text).c_str(), nullptr);
+    if (error != std::errc::invalid_argument && end == text.data() + text.size())
+        return value == 0 ? 0 : value; // and -0 is 0
     throw bad_input(fmt::format("{} = '{}': is not a number", argument, text));
 }
 
@@ -93,9 +99,17 @@ void build(CLI::App& app) {
     add_cost(app);
 }
 
+void check_option(const CLI::App& app, const std::string& given) {
+    if (app.get_option_no_throw(given) != nullptr) return;
+    const std::vector<std::string> names = {"--help", "--version"};
+    throw bad_input(fmt::format("option '{}' is unknown{}; `fresnel --help` lists them", given,
+                                did_you_mean(given, names)));
+}
+
 // A misspelt command is told apart from a misspelt option, so that the nearest command can be named.
 void check_command(const CLI::App& app, int argc, char** argv) {
-    if (argc < 2 || argv[1][0] == '-') return;
+    if (argc < 2) return;
+    if (argv[1][0] == '-') return check_option(app, argv[1]);
     std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands({}))
         names.push_back(command->get_name());
@@ -122,7 +136,7 @@ int report(std::string_view message, int code) {
     remove_empty_folders();
     while (message.ends_with('\n'))
         message.remove_suffix(1);
-    fmt::print(stderr, "fresnel: {}\n", on_one_line(message));
+    say("fresnel: {}\n", on_one_line(message));
     return code;
 }
 
@@ -132,13 +146,29 @@ int finished(int code) {
     return report("standard output: cannot be written", 1);
 }
 
+// A standard stream that is closed stays one that fails, and no file that is opened takes its number.
+void hold_standard_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (fcntl(stream, F_GETFD) < 0) open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+// The arguments, last first as CLI11 wants them. It takes -.5 for an option and -0.5 for a number.
+std::vector<std::string> arguments_of(int argc, char** argv) {
+    std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+    for (std::string& one : arguments)
+        if (one.size() > 2 && one.starts_with("-.") && one[2] >= '0' && one[2] <= '9') one.insert(1, "0");
+    std::ranges::reverse(arguments);
+    return arguments;
+}
+
 int run(int argc, char** argv) {
+    hold_standard_streams();
     remove_leftovers_on_signals();
     CLI::App app{"Fresnel reflectance for rendering: exact, approximate, measured.", "fresnel"};
     try {
         build(app);
         check_command(app, argc, argv);
-        app.parse(argc, argv);
+        app.parse(arguments_of(argc, argv));
         return finished(0);
     } catch (const CLI::Success& request) {
         return finished(app.exit(request)); // --help, --version

@@ -68,8 +68,7 @@ void print(const certificate& c) {
 void run(const options& given) {
     for (const std::string& name : given.models)
         find_model<double>(name);
-    if (given.models.empty() && isatty(STDERR_FILENO) != 0)
-        fmt::print(stderr, "prove: every model, about ten seconds\n");
+    if (given.models.empty() && isatty(STDERR_FILENO) != 0) say("prove: every model, about ten seconds\n");
     std::vector<certificate> all;
     if (given.models.empty()) all = prove_all();
     for (const std::string& name : given.models)

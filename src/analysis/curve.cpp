@@ -4,6 +4,7 @@
 #include "analysis/fit.hpp"
 #include "error.hpp"
 #include "materials/observer.hpp"
+#include "materials/table.hpp"
 
 #include <fresnel/exact.hpp>
 
@@ -17,7 +18,10 @@ namespace fresnel {
 
 optical_index used_index(const material& substance, double wavelength_nm) {
     const optical_index index = index_at(substance, wavelength_nm);
-    if (std::isfinite(index.n) && std::isfinite(index.k)) return index;
+    if (std::abs(index.n) <= largest_index && std::isfinite(index.k)) return index;
+    if (std::isfinite(index.n))
+        throw bad_input(fmt::format("material '{0}': n = {1} at {2} nm: must be in [-{3}, {3}]",
+                                    substance.name, index.n, wavelength_nm, largest_index));
     throw bad_input(fmt::format("material '{}': has no index at {} nm, where its formula has a pole",
                                 substance.name, wavelength_nm));
 }

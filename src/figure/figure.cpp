@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <unistd.h>
 
 namespace fresnel {
@@ -92,9 +91,10 @@ std::string json_text(const nlohmann::json& value) {
 
 void write_file(const std::string& path, const std::string& text) {
     const staged_file staged(path);
-    std::ofstream file(staged.path, std::ios::binary);
-    file.write(text.data(), static_cast<std::streamsize>(text.size()));
-    if (!file.flush() || !staged.finish()) throw failure(fmt::format("{}: cannot be written", path));
+    file_handle file = staged.open();
+    const bool written = file && std::fwrite(text.data(), 1, text.size(), file.get()) == text.size() &&
+                         std::fclose(file.release()) == 0;
+    if (!written || !staged.finish()) throw failure(fmt::format("{}: cannot be written", final_path(path)));
 }
 
 namespace {

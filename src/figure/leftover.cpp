@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <deque>
 #include <dirent.h>
@@ -104,8 +105,14 @@ leftover::~leftover() {
             pause();
 }
 
+namespace {
+
+constexpr std::array ending_signals = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ};
+
+} // namespace
+
 void remove_leftovers_on_signals() {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    for (const int signal : ending_signals) {
         struct sigaction action{};
         sigaction(signal, nullptr, &action);
         if (action.sa_handler == SIG_IGN) continue; // nohup
@@ -117,7 +124,7 @@ void remove_leftovers_on_signals() {
 }
 
 void leave_leftovers_to_the_parent() {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    for (const int signal : ending_signals) {
         struct sigaction action{};
         sigaction(signal, nullptr, &action);
         if (action.sa_handler == end_by_signal) std::signal(signal, SIG_DFL);
@@ -137,8 +144,22 @@ std::string link_target(const std::string& path) {
     return target.string();
 }
 
-/// Whether it is there and no plain file.
+/// The descriptor of ours that a path names, as /dev/stdout names 1.
+std::optional<int> descriptor_of(const std::string& path) {
+    std::filesystem::path link = path;
+    std::error_code error;
+    for (int links = 0; links < 40 && std::filesystem::is_symlink(link, error); ++links) {
+        const std::filesystem::path folder = link.parent_path();
+        if (std::filesystem::equivalent(folder, "/proc/self/fd", error))
+            return std::atoi(link.filename().c_str());
+        link = folder / std::filesystem::read_symlink(link, error);
+    }
+    return {};
+}
+
+/// Whether it is there and no plain file, or an open one.
 bool is_special(const std::string& path) {
+    if (descriptor_of(path)) return true;
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
     return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
@@ -149,12 +170,18 @@ bool is_special(const std::string& path) {
 
 staged_file::staged_file(const std::string& place)
     : path(is_special(place) ? place : fmt::format("{}.{}.part", link_target(place), getpid())),
-      place_(is_special(place) ? place : link_target(place)) {
+      descriptor_(descriptor_of(place)), place_(is_special(place) ? place : link_target(place)) {
     if (is_beside()) removed_on_signal_.emplace(path);
 }
 
 staged_file::~staged_file() {
     if (is_beside()) std::remove(path.c_str());
+}
+
+file_handle staged_file::open() const {
+    if (!descriptor_) return {std::fopen(path.c_str(), "wb"), std::fclose};
+    std::fflush(stdout); // what was printed comes first
+    return {fdopen(dup(*descriptor_), "wb"), std::fclose};
 }
 
 bool staged_file::finish() const { return !is_beside() || std::rename(path.c_str(), place_.c_str()) == 0; }
@@ -188,12 +215,25 @@ void remove_empty_folders() {
         rmdir(one.first.c_str());
 }
 
+namespace {
+
+std::string staging_name() { return fmt::format(".fresnel.{}.part", getpid()); }
+
+} // namespace
+
+std::string final_path(std::string path) {
+    const std::string staging = staging_name() + "/";
+    const std::size_t at = path.find(staging);
+    if (at != std::string::npos) path.erase(at, staging.size());
+    return path;
+}
+
 staged_folder::staged_folder(const std::filesystem::path& destination)
-    : path(destination / fmt::format(".fresnel.{}.part", getpid())), destination_(destination),
-      removed_on_signal_(path.string()) {
+    : path(destination / staging_name()), destination_(destination), removed_on_signal_(path.string()) {
     std::error_code error;
     std::filesystem::create_directory(path, error);
-    if (error) throw failure(fmt::format("{}: cannot be made: {}", path.string(), error.message()));
+    if (error)
+        throw failure(fmt::format("{}: cannot be written into: {}", destination.string(), error.message()));
 }
 
 staged_folder::~staged_folder() {
@@ -201,7 +241,20 @@ staged_folder::~staged_folder() {
     std::filesystem::remove_all(path, ignored);
 }
 
+void staged_folder::require_places() const {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(path)) {
+        const std::string place = (destination_ / entry.path().lexically_relative(path)).string();
+        std::error_code error;
+        if (!std::filesystem::exists(place, error)) continue;
+        const bool folder = std::filesystem::is_directory(place, error);
+        if (folder == entry.is_directory()) continue;
+        throw bad_input(fmt::format("{}: is a {} where a {} must go; move it away", place,
+                                    folder ? "folder" : "file", folder ? "file" : "folder"));
+    }
+}
+
 void staged_folder::finish() const {
+    require_places();
     for (const auto& entry : std::filesystem::recursive_directory_iterator(path)) {
         const std::filesystem::path place = destination_ / entry.path().lexically_relative(path);
         std::error_code error;

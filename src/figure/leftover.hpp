@@ -1,7 +1,9 @@
 #pragma once
 
 #include <atomic>
+#include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -27,7 +29,7 @@ private:
     std::atomic<const char*>* slot_;
 };
 
-/// Has SIGINT, SIGTERM and SIGHUP remove every leftover and then end the program, as they would have.
+/// Has SIGINT, SIGTERM, SIGHUP, SIGPIPE and SIGXFSZ remove every leftover and then end the program, as they would have.
 void remove_leftovers_on_signals();
 
 /// For a child process: what is on its way is its parent's.
@@ -47,18 +49,27 @@ public:
     staged_folder(const staged_folder&) = delete;
     staged_folder& operator=(const staged_folder&) = delete;
 
-    /// Moves everything to the destination, over what is there. Throws failure naming the file that cannot be moved.
+    /// Moves everything to the destination, over what is there. Throws bad_input before anything is moved where a folder
+    /// is in the place of a file or a file in that of a folder, failure naming the file that cannot be moved.
     void finish() const;
 
     const std::filesystem::path path;
 
 private:
+    void require_places() const;
+
     std::filesystem::path destination_;
     leftover removed_on_signal_;
 };
 
+/// The path that a file in a staged folder will have; any other as it is.
+std::string final_path(std::string path);
+
+using file_handle = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
 /// A file on its way to its place: written at `path` beside it, it takes its place when it is complete. A pipe or a device
-/// that is there is written into as it is; a symbolic link stays, and the file it names is replaced.
+/// that is there is written into as it is, and so is a descriptor of ours by its name, /dev/stdout or /dev/fd/3; a symbolic
+/// link stays, and the file it names is replaced.
 class staged_file {
 public:
     explicit staged_file(const std::string& place);
@@ -66,6 +77,8 @@ public:
     staged_file(const staged_file&) = delete;
     staged_file& operator=(const staged_file&) = delete;
 
+    /// Opens it for writing. Null if it cannot be.
+    file_handle open() const;
     /// Moves it to its place. False if it cannot be.
     bool finish() const;
     /// Whether it is written beside its place.
@@ -74,6 +87,7 @@ public:
     const std::string path;
 
 private:
+    std::optional<int> descriptor_;
     std::string place_;
     std::optional<leftover> removed_on_signal_;
 };

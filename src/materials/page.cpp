@@ -154,6 +154,13 @@ double wavelength_nm(std::string_view word, const std::string& file, int line) {
     return number(nanometres(word), "wavelength", file, line);
 }
 
+double index(std::string_view word, std::string_view what, const std::string& file, int line) {
+    const double value = number(word, what, file, line);
+    if (std::abs(value) > largest_index)
+        fail(file, line, fmt::format("{0} is {1:.40}; it must be in [-{2}, {2}]", what, word, largest_index));
+    return value;
+}
+
 struct columns {
     samples n, k;
 };
@@ -173,8 +180,8 @@ columns read_table(const page_block& block, bool has_n, bool has_k, const std::s
             fail(file, line,
                  fmt::format("{} numbers; a row of '{}' has {}", cells.size(), block.type, expected));
         const double nm = wavelength_nm(cells[0], file, line);
-        if (has_n) push(table.n, nm, number(cells[1], "n", file, line));
-        if (has_k) push(table.k, nm, number(cells[expected - 1], "k", file, line));
+        if (has_n) push(table.n, nm, index(cells[1], "n", file, line));
+        if (has_k) push(table.k, nm, index(cells[expected - 1], "k", file, line));
     });
     if ((has_n ? table.n : table.k).value.empty())
         fail(file, block.line, fmt::format("'{}' has no rows", block.type));

@@ -145,17 +145,17 @@ csv_row read_row(std::string_view line, const csv_columns& columns, const place&
     const std::vector<cell> cells = csv_cells(line, at);
     if (static_cast<int>(cells.size()) != columns.count)
         at.fail("{} cells; the header has {}", cells.size(), columns.count);
-    const auto value = [&](int column, const char* what, double least, bool open) {
+    const auto value = [&](int column, const char* what) {
         const cell& c = cells[static_cast<std::size_t>(column)];
         const place here{at.file, at.line, c.column};
         const double x = number(trimmed(c.text), what, here);
-        if (x < least || (open && x == least))
-            here.fail("{} is {}; it must be {} {}", what, trimmed(c.text), open ? "above" : "at least",
-                      least);
+        if (column == columns.wavelength ? x <= 0 : x < 0 || x > largest_index)
+            here.fail("{} is {}; it must be {}", what, trimmed(c.text),
+                      column == columns.wavelength ? "above 0" : fmt::format("in [0, {}]", largest_index));
         return x;
     };
-    const csv_row row{value(columns.wavelength, "wavelength_nm", 0, true), value(columns.n, "n", 0, false),
-                      columns.k < 0 ? 0 : value(columns.k, "k", 0, false), at.line};
+    const csv_row row{value(columns.wavelength, "wavelength_nm"), value(columns.n, "n"),
+                      columns.k < 0 ? 0 : value(columns.k, "k"), at.line};
     if (row.n == 0 && row.k == 0) at.fail("n and k are both 0, the index of nothing; one must be above 0");
     return row;
 }
@@ -286,6 +286,10 @@ std::optional<double> parse_number(std::string_view text) {
     return value;
 }
 
+bool begins_utf_16(std::string_view text) {
+    return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
+}
+
 std::string_view trimmed(std::string_view text) {
     constexpr std::string_view white = " \t\r\n";
     const std::size_t first = text.find_first_not_of(white);
@@ -356,6 +360,7 @@ std::string guessed_class(const material& what) {
 material read_csv_material(std::string_view csv, const std::string& file) {
     std::optional<csv_columns> columns;
     std::vector<csv_row> rows;
+    if (begins_utf_16(csv)) place{file, 1, 1}.fail("is UTF-16; save it as UTF-8");
     for_each_line(without_byte_order_mark(csv), [&](std::string_view line, int number) {
         if (is_remark(line)) return;
         const place at{file, number};

@@ -17,6 +17,13 @@ namespace fresnel {
 /// nor for one that is infinite or not a number.
 std::optional<double> parse_number(std::string_view text);
 
+/// Whether a text begins with a byte order mark of UTF-16.
+bool begins_utf_16(std::string_view text);
+
+/// What an index may be in a table, wider than what a model takes: published n of films and metamaterials are
+/// below 0 and beyond 1000.
+inline constexpr double largest_index = 1e4;
+
 /// The text without white space at its ends.
 std::string_view trimmed(std::string_view text);
 
@@ -40,7 +47,7 @@ samples sorted_samples(samples rows, std::string_view what, std::vector<std::str
 ///
 /// file      what errors call the text
 /// returns   a spectral material named `file`, its class guessed from n and k
-/// throws    bad_input for a bad header, number, cell count, a repeated wavelength, n < 0 or k < 0
+/// throws    bad_input for a bad header, number, cell count, a repeated wavelength, n or k outside [0, 10000]
 material read_csv_material(std::string_view csv, const std::string& file);
 
 /// Where n and k are both known; where n is, if k is absent or known only elsewhere. The material has an n.
