@@ -64,7 +64,7 @@ protected:
     std::vector<std::string> files() const {
         std::vector<std::string> names;
         for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / "work"))
-            names.push_back(std::filesystem::relative(entry.path(), folder / "work").string());
+            names.push_back(entry.path().lexically_relative(folder / "work").string());
         std::sort(names.begin(), names.end());
         return names;
     }

@@ -121,8 +121,8 @@ void check(const options& given) {
 
 void note_renaming(const emit::language& l, const std::string& wanted, const std::string& given) {
     if (!wanted.empty() && given != wanted)
-        fmt::print(stderr, "shader: '{}' cannot be a name of ours in {}; the function is called {}\n", wanted,
-                   l.title, given);
+        say("shader: '{}' cannot be a name of ours in {}; the function is called {}\n", wanted, l.title,
+            given);
 }
 
 emit::model_request request_of(const options& given, const std::string& model) {

@@ -134,9 +134,9 @@ void run_verify(const verify_options& given, const std::vector<std::string>& mod
     } else {
         const bool shown = isatty(STDERR_FILENO) != 0;
         all = conform::verify(cases, rows, [shown](std::string_view receiver, std::string_view id) {
-            if (shown) fmt::print(stderr, "\r\033[Kverify: {} {}", receiver, id);
+            if (shown) say("\r\033[Kverify: {} {}", receiver, id);
         });
-        if (shown) fmt::print(stderr, "\r\033[K");
+        if (shown) say("\r\033[K");
     }
     print(given, all);
     if (!all.passed()) {
