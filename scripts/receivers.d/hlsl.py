@@ -55,7 +55,8 @@ class Slangc(WithSlangc, Program):
         apart = super().texts()
         alone = {name: text for name, text in apart.items() if name.startswith(("model_", "sample_", "table_"))}
         self.together = len(alone) - 1
-        guards = [f"FRESNEL_{self.language.upper()}_{part}" for part in ("COMMON", "BOUNDARY")]  # what stands in front
+        # what stands in front
+        guards = [f"FRESNEL_{self.language.upper()}_{part}" for part in ("COMMON", "BOUNDARY", "TWOFOLD")]
         together = "".join(f"namespace in_{name} {{\n{text}\n}}\n" +
                            "".join(f"#undef {guard}\n" for guard in guards if guard in text)
                            for name, text in alone.items())
