@@ -64,7 +64,7 @@ void add_model(std::string_view model, std::vector<verify_case>& cases) {
     cases.push_back({name + "_rgb_directions", name, overload::rgb_directions, rgb_directed, {}, 3, hard});
     request all_fixed;
     for (const parameter& p : row.parameters) {
-        const float x = constant_for(p);
+        const auto x = static_cast<double>(constant_for(p));
         all_fixed.fixed[std::string(p.name)] = {x, x, x};
     }
     const function fixed = record(model, all_fixed);
