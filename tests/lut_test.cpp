@@ -26,12 +26,12 @@ namespace {
 using namespace fresnel;
 using namespace fresnel::emit;
 
-fixed_values one(const std::string& name, float value) { return {{name, {value, value, value}}}; }
+fixed_values one(const std::string& name, double value) { return {{name, {value, value, value}}}; }
 
-lut_subject glass() { return model_subject("dielectric", one("n_t", 1.5f)); }
+lut_subject glass() { return model_subject("dielectric", one("n_t", 1.5)); }
 
 lut_subject inside_glass() {
-    return model_subject("dielectric", {{"n_i", {1.5f, 1.5f, 1.5f}}, {"n_t", {1, 1, 1}}});
+    return model_subject("dielectric", {{"n_i", {1.5, 1.5, 1.5}}, {"n_t", {1, 1, 1}}});
 }
 
 lut_subject gold(color_space space = color_space::acescg) {

@@ -104,8 +104,10 @@ TEST(sym, fixed_parameters_fold_to_the_bits_of_the_float_model) {
     for (const model_row<float>& row : model_table<float>())
         for (const std::vector<float>& x : some_inputs(row, 200)) {
             emit::request wanted;
-            for (std::size_t i = 0; i < row.parameters.size(); ++i)
-                wanted.fixed[std::string(row.parameters[i].name)] = {x[i], x[i], x[i]};
+            for (std::size_t i = 0; i < row.parameters.size(); ++i) {
+                const auto value = static_cast<double>(x[i]);
+                wanted.fixed[std::string(row.parameters[i].name)] = {value, value, value};
+            }
             const function f = emit::record(row.name, wanted);
             ASSERT_EQ(f.arguments.size(), 1u);
             const interpreter run(f, {{"cos_i", x.back()}});
