@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace fresnel::cli {
@@ -51,7 +50,7 @@ angles chosen_angles(const options& given) {
 // The g of gulbrandsen, which mixes n from the two that are its ends at that r.
 double edge_tint_of(const optical_index& index) {
     const double r = normal_reflectance(1.0, index.n, index.k);
-    const double most = (1 + std::sqrt(r)) / (1 - std::sqrt(r)), least = (1 - r) / (1 + r);
+    const double most = gulbrandsen_index(r, 0.0).re, least = gulbrandsen_index(r, 1.0).re;
     const double g = r == 0 ? 0 : (most - index.n) / (most - least);
     if (g <= 1 + 1e-12) return std::clamp(g, 0.0, 1.0);
     throw bad_input(
