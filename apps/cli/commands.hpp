@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <charconv>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -62,6 +64,15 @@ void print_row(fmt::format_string<T...> row, T&&... cells) {
 
 /// Whether standard output is a terminal that wants colours (NO_COLOR is unset).
 bool colours_wanted();
+
+/// Decimal text to float or double, beyond their ranges infinity and 0. False for what is no number.
+template <class T>
+bool read_number(std::string_view text, T& value) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc::result_out_of_range)
+        value = static_cast<T>(std::strtod(std::string(text).c_str(), nullptr));
+    return error != std::errc::invalid_argument && end == text.data() + text.size();
+}
 
 /// A number of the user's: decimal text to double. Throws bad_input naming the argument.
 double parse_number(std::string_view argument, std::string_view text);

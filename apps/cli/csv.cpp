@@ -28,19 +28,11 @@ namespace {
 
 // ---- numbers ----------------------------------------------------------------------------------------------
 
-template <class T>
-bool parse(std::string_view text, T& value) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (end != text.data() + text.size() || text.empty()) return false;
-    // an underflow to 0 or overflow to infinity is what strtod makes of it
-    if (error == std::errc::result_out_of_range)
-        value = static_cast<T>(std::strtod(std::string(text).c_str(), nullptr));
-    return error != std::errc::invalid_argument;
-}
+using cli::read_number; // of float and double
 
-bool parse(std::string_view text, real50& value) {
+bool read_number(std::string_view text, real50& value) {
     double check = 0;
-    if (!parse(text, check)) return false;
+    if (!read_number(text, check)) return false;
     value = real50(std::string(text));
     return true;
 }
@@ -226,7 +218,7 @@ void read_row(const std::vector<std::string_view>& cells, const layout& header, 
         const auto index = static_cast<std::size_t>(header.wanted_of_column[column]);
         const parameter& p = header.wanted[index];
         const auto place = [&] { return fmt::format("line {}, column {} ({})", line, column + 1, p.name); };
-        if (!parse(cells[column], values[index]))
+        if (!read_number(cells[column], values[index]))
             throw bad_input(fmt::format("{}: '{}' is not a number", place(), cells[column]));
         if (values[index] == 0) values[index] = 0; // -0 is 0
         if (!allowed.hold(values[index], index))

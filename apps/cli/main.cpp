@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
@@ -41,11 +40,7 @@ bool colours_wanted() { return isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COL
 
 double parse_number(std::string_view argument, std::string_view text) {
     double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    // an underflow to 0 or overflow to infinity is what strtod makes of it
-    if (error == std::errc::result_out_of_range) value = std::strtod(std::string(text).c_str(), nullptr);
-    if (error != std::errc::invalid_argument && end == text.data() + text.size())
-        return value == 0 ? 0 : value; // and -0 is 0
+    if (read_number(text, value)) return value == 0 ? 0 : value; // -0 is 0
     throw bad_input(fmt::format("{} = '{}': is not a number", argument, text));
 }
 
