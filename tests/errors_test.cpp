@@ -73,7 +73,7 @@ double over_box(std::string_view name) {
 
 double over_metals(std::string_view name) {
     double worst = 0;
-    for (const metal_sample& metal : metal_samples()) {
+    for (const material_sample& metal : metal_samples()) {
         const channel one = channel_of(metal.index);
         const std::vector<double> R = evaluate(name, fit(name, one), one.cos_i);
         for (std::size_t i = 0; i < R.size(); ++i)

@@ -5,6 +5,8 @@
 #include "analysis/measure.hpp"
 #include "analysis/model_table.hpp"
 #include "analysis/prove.hpp"
+#include "error.hpp"
+#include "materials/catalog.hpp"
 
 #include <fresnel/approx.hpp>
 
@@ -92,7 +94,7 @@ TEST(prove, of_a_fitted_model_names_the_metal_and_is_its_error) {
     EXPECT_LE(c.absolute.hi - c.absolute.lo, 1e-4);
     EXPECT_NE(c.material.find(" nm"), std::string::npos);
     double worst = 0;
-    for (const metal_sample& m : metal_samples()) {
+    for (const material_sample& m : metal_samples()) {
         const parameters p = fit("f82", channel_of(m.index));
         worst = std::max(worst, largest([&](double x) {
                                     return f82(p[0], p[1], x) -
@@ -104,11 +106,11 @@ TEST(prove, of_a_fitted_model_names_the_metal_and_is_its_error) {
 
 TEST(prove, certifies_each_metal_by_itself_at_a_point_that_attains_it) {
     const certificate c = prove("hoffman");
-    const std::vector<metal_sample>& samples = metal_samples();
+    const std::vector<material_sample>& samples = metal_samples();
     const model_row<double>& row = find_model<double>("hoffman");
-    ASSERT_EQ(c.metals.size(), samples.size());
+    ASSERT_EQ(c.materials.size(), samples.size());
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        const certified_metal& m = c.metals[i];
+        const certified_material& m = c.materials[i];
         EXPECT_EQ(m.name, samples[i].name);
         EXPECT_LE(m.absolute.hi - m.absolute.lo, 1e-4);
         EXPECT_LE(m.absolute.hi, c.absolute.hi);
@@ -127,7 +129,52 @@ TEST(prove, holds_gulbrandsen_to_the_rounding_of_its_fits) {
     const certificate c = prove("gulbrandsen");
     EXPECT_TRUE(c.proved);
     EXPECT_LE(c.absolute.hi, find_model<double>("gulbrandsen").error.max);
-    EXPECT_EQ(c.metals.size(), metal_samples().size());
+    EXPECT_EQ(c.materials.size(), metal_samples().size());
+}
+
+TEST(prove, certifies_every_built_in_material_with_every_fitted_model) {
+    std::vector<material> all;
+    for (const material& m : builtin_materials())
+        if (normal_reflectance(1.0, index_at(m, 550).n, index_at(m, 550).k) > 1e-3) all.push_back(m);
+    ASSERT_GE(all.size(), builtin_materials().size() - 3) << "vacuum and air";
+    for (const model_row<double>& row : model_table<double>()) {
+        if (!can_fit(row.name)) {
+            EXPECT_THROW(prove(row.name, all), bad_input) << row.name;
+            continue;
+        }
+        if (row.error.over != row::metals) continue;
+        const certificate c = prove(row.name, all);
+        EXPECT_TRUE(c.proved);
+        ASSERT_EQ(c.materials.size(), 3 * all.size());
+        for (std::size_t i = 0; i < c.materials.size(); ++i) {
+            const certified_material& m = c.materials[i];
+            EXPECT_EQ(m.name, all[i / 3].name);
+            EXPECT_LE(m.absolute.hi - m.absolute.lo, 1e-4) << c.model << " " << m.name;
+            EXPECT_LE(m.absolute.hi, c.absolute.hi);
+            if (m.absolute.lo == 0) continue; // attained nowhere for certain
+            std::vector<double> values;
+            for (const auto& [name, value] : m.at)
+                values.push_back(value);
+            const optical_index index = index_at(all[i / 3], m.wavelength_nm);
+            const double exact = conductor(1.0, index.n, index.k, values.back()).reflectance();
+            EXPECT_NEAR(std::abs(row.evaluate(values.data(), values.back()).reflectance() - exact),
+                        m.absolute.lo, 1e-12)
+                << c.model << " " << m.name;
+        }
+    }
+}
+
+TEST(prove, refuses_materials_without_a_boundary_or_with_a_critical_angle) {
+    const auto of_index = [](double n, double k) {
+        material m;
+        m.name = "mine", m.kind = material_kind::spectral;
+        m.n = samples{{400, 700}, {n, n}}, m.k = samples{{400, 700}, {k, k}};
+        return std::vector{m};
+    };
+    EXPECT_TRUE(prove("f82", of_index(1.5, 0)).proved);
+    EXPECT_TRUE(prove("f82", of_index(0.5, 0.001)).proved);
+    for (const auto& [n, k] : {std::pair{1.0, 0.0}, {1.01, 0.0}, {0.5, 0.0}, {-1.5, 0.1}})
+        EXPECT_THROW(prove("f82", of_index(n, k)), bad_input) << n << " " << k;
 }
 
 TEST(prove, is_what_the_registry_states_rounded_up_to_three_digits) {
@@ -225,7 +272,7 @@ TEST_F(prove_command, prints_its_keys) {
     for (const auto& one : all)
         for (const char* key :
              {"model", "domain", "absolute", "relative", "at", "rounding_float32", "rounding_found",
-              "rounding_at", "rounding_bound", "metals", "proved", "relative_as_eta_goes_to_1"})
+              "rounding_at", "rounding_bound", "materials", "proved", "relative_as_eta_goes_to_1"})
             EXPECT_TRUE(one.contains(key)) << key;
     EXPECT_EQ(all[0]["proved"], true);
     EXPECT_EQ(all[0]["rounding_float32"], all[0]["rounding_bound"]);
@@ -235,6 +282,20 @@ TEST_F(prove_command, prints_its_keys) {
     EXPECT_TRUE(all[1]["relative"].is_null());
     EXPECT_TRUE(all[1]["rounding_bound"].is_null());
     expect_refused("prove schlik", {"schlik", "schlick"});
+}
+
+TEST_F(prove_command, certifies_a_material_of_the_users_choice) {
+    const auto one = json("prove f82 --material silicon --material gold --json");
+    ASSERT_EQ(one.size(), 1u);
+    EXPECT_EQ(one[0]["domain"], "silicon, gold, at 450, 550 and 650 nm, parameters fitted");
+    ASSERT_EQ(one[0]["materials"].size(), 6u);
+    EXPECT_EQ(one[0]["materials"][5]["material"], "gold");
+    EXPECT_EQ(one[0]["materials"][5]["wavelength_nm"], 650);
+    const auto every = json("prove --material n-bk7 --json");
+    EXPECT_EQ(every.size(), 20u) << "every approximation but schlick_internal";
+    expect_refused("prove conductor --material gold", {"conductor", "approximate"});
+    expect_refused("prove f82 --material golld", {"golld", "gold"});
+    expect_refused("prove f82 --material vacuum", {"vacuum", "n = 1", "above 1"});
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "analysis/prove.hpp"
 
 #include "analysis/model_table.hpp"
+#include "materials/catalog.hpp"
 
 #include <fmt/format.h>
 
@@ -14,20 +15,20 @@ namespace fresnel::cli {
 namespace {
 
 struct options {
-    std::vector<std::string> models;
+    std::vector<std::string> models, materials;
     bool json = false;
 };
 
 nlohmann::json pair(const certified& value) { return {value.lo, value.hi}; }
 
 nlohmann::json to_json(const certificate& c) {
-    nlohmann::json at = object(c.at), metals = nlohmann::json::array();
+    nlohmann::json at = object(c.at), materials = nlohmann::json::array();
     if (!c.material.empty()) at["material"] = c.material;
-    for (const certified_metal& m : c.metals)
-        metals.push_back({{"material", m.name},
-                          {"wavelength_nm", m.wavelength_nm},
-                          {"absolute", pair(m.absolute)},
-                          {"at", object(m.at)}});
+    for (const certified_material& m : c.materials)
+        materials.push_back({{"material", m.name},
+                             {"wavelength_nm", m.wavelength_nm},
+                             {"absolute", pair(m.absolute)},
+                             {"at", object(m.at)}});
     return {{"model", c.model},
             {"domain", c.domain},
             {"absolute", pair(c.absolute)},
@@ -35,7 +36,7 @@ nlohmann::json to_json(const certificate& c) {
             {"relative_as_eta_goes_to_1",
              c.unbounded_near_match ? nlohmann::json("unbounded") : nlohmann::json()},
             {"at", at},
-            {"metals", c.metals.empty() ? nlohmann::json() : metals},
+            {"materials", c.materials.empty() ? nlohmann::json() : materials},
             {"rounding_float32", c.rounding_bound.value_or(c.rounding_found)},
             {"rounding_found", c.rounding_found},
             {"rounding_at", object(c.rounding_at)},
@@ -65,14 +66,24 @@ void print(const certificate& c) {
                    fmt::format("{:.3g}", c.absolute.hi), "–", rounding);
 }
 
-void run(const options& given) {
+std::vector<certificate> certify(const options& given) {
     for (const std::string& name : given.models)
         find_model<double>(name);
     if (given.models.empty() && isatty(STDERR_FILENO) != 0) say("prove: every model, about ten seconds\n");
+    if (given.models.empty() && given.materials.empty()) return prove_all();
+    std::vector<material> materials;
+    for (const std::string& name : given.materials)
+        materials.push_back(load_material(name));
     std::vector<certificate> all;
-    if (given.models.empty()) all = prove_all();
+    for (const model_row<double>& row : model_table<double>())
+        if (given.models.empty() && can_fit(row.name)) all.push_back(prove(row.name, materials));
     for (const std::string& name : given.models)
-        all.push_back(prove(name));
+        all.push_back(materials.empty() ? prove(name) : prove(name, materials));
+    return all;
+}
+
+void run(const options& given) {
+    const std::vector<certificate> all = certify(given);
     if (!given.json)
         fmt::print("{:<20} {:<21} {:<20} {:<19} {}\n", "model", "absolute error in", "relative error in",
                    "float32 rounding in", "largest at");
@@ -98,15 +109,23 @@ void add_prove(CLI::App& app) {
         add_command(app, "prove", "The largest error of a model, certified with intervals",
                     "  fresnel prove schlick\n"
                     "  fresnel prove f82 powers_4_12 --json\n"
-                    "  fresnel prove                              every model\n\n"
+                    "  fresnel prove                              every model\n"
+                    "  fresnel prove f82 --material silicon       fitted to that material\n\n"
                     "The largest error certainly lies in the interval; domains as in `fresnel models`.\n"
                     "Relative errors hold on the domain that `fresnel models` names; which of them are\n"
                     "unbounded as eta goes to 1 stands below the table.\n"
                     "Rounding is of float32 against real arithmetic, for parameters up to 10; after ≥\n"
                     "it is the largest that a search found, as far from critical angles as the domain\n"
-                    "says. --json also has the inputs where it was found, and each metal by itself.");
+                    "says. --json also has the inputs where it was found, and each material by itself.");
     const auto given = std::make_shared<options>();
     command->add_option("MODEL", given->models, "registry names; all if none is given");
+    command
+        ->add_option(
+            "--material", given->materials,
+            "approximations fitted to this material (a name, .yml page or .csv table) at 450, 550 and "
+            "650 nm instead; may be repeated")
+        ->type_name("NAME")
+        ->allow_extra_args(false);
     command->add_flag("--json", given->json, "print JSON");
     command->callback([given] { run(*given); });
 }

@@ -123,14 +123,20 @@ bool is_sample_metal(const material& m) {
            !m.quality.starts_with("Calculated");
 }
 
-const std::vector<metal_sample>& metal_samples() {
-    static const std::vector<metal_sample> all = [] {
-        std::vector<metal_sample> samples;
-        for (const material& m : builtin_materials()) {
-            if (!is_sample_metal(m)) continue;
-            for (const double nm : {450.0, 550.0, 650.0})
-                samples.push_back({m.name, nm, index_at(m, nm)});
-        }
+std::vector<material_sample> samples_of(const material& m) {
+    std::vector<material_sample> samples;
+    for (const double nm : {450.0, 550.0, 650.0})
+        samples.push_back({m.name, nm, used_index(m, nm)});
+    return samples;
+}
+
+const std::vector<material_sample>& metal_samples() {
+    static const std::vector<material_sample> all = [] {
+        std::vector<material_sample> samples;
+        for (const material& m : builtin_materials())
+            if (is_sample_metal(m))
+                for (material_sample& sample : samples_of(m))
+                    samples.push_back(std::move(sample));
         return samples;
     }();
     return all;

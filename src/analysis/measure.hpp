@@ -4,6 +4,7 @@
 #include <fresnel/material.hpp>
 
 #include <functional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -63,18 +64,21 @@ double vertex_interpolation_error(const curve_function& f, int sides);
 /// How far R, G and B of a material lie apart at most, over all angles, in linear sRGB and air.
 double channel_spread(const material& substance);
 
-/// One metal at one wavelength.
-struct metal_sample {
-    std::string_view name;
+/// A material at one wavelength.
+struct material_sample {
+    std::string name;
     double wavelength_nm;
     optical_index index;
 };
+
+/// A material at 450, 550 and 650 nm. Throws bad_input where it has no index there.
+std::vector<material_sample> samples_of(const material& m);
 
 /// Whether it is one of the metals over which fitted models are judged: all whose n and k were measured but for caesium,
 /// whose plasma edge lies in the visible, where nothing but the exact equations follows it.
 bool is_sample_metal(const material& m);
 
 /// Each built-in one at 450, 550 and 650 nm.
-const std::vector<metal_sample>& metal_samples();
+const std::vector<material_sample>& metal_samples();
 
 } // namespace fresnel

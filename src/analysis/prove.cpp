@@ -4,6 +4,7 @@
 #include "analysis/fit.hpp"
 #include "analysis/measure.hpp"
 #include "analysis/multi.hpp"
+#include "error.hpp"
 
 #include <fresnel/geometry.hpp>
 #include <fresnel/models.hpp>
@@ -121,7 +122,7 @@ maximum<D> largest_over(const F& f, const box<D>& whole, double width) {
 struct narrowness {
     double absolute, relative;
 };
-constexpr narrowness one_domain{5e-6, 1e-4}, every_metal{5e-5, 1e-3};
+constexpr narrowness one_domain{5e-6, 1e-4}, every_material{5e-5, 1e-3};
 
 // ---- the domains ------------------------------------------------------------------------------------------
 
@@ -177,11 +178,11 @@ certificate over_gems(const Row& row) {
 }
 
 template <class T>
-T constant_of(double value) {
+T constant_of(const interval& value) {
     if constexpr (std::is_same_v<T, interval>)
-        return interval(value);
+        return value;
     else
-        return T::constant(interval(value));
+        return T::constant(value);
 }
 
 template <class Row>
@@ -199,45 +200,37 @@ certificate over_internal_gems() {
     return result;
 }
 
-/// What is certain of one metal.
-struct metal_error {
+/// What is certain of one material.
+struct material_error {
     maximum<1> absolute;
     certified relative;
 };
 
-/// A model with the parameters fitted to a metal against the exact curve.
-template <class Row>
-metal_error enclose_metal(const Row& row, const parameters& fitted, const optical_index& index) {
-    const auto model = [&](const auto& x) {
-        using T = std::remove_cvref_t<decltype(x[0])>;
-        std::array<T, std::tuple_size_v<decltype(row.parameters)>> values;
-        for (std::size_t i = 0; i < values.size(); ++i)
-            values[i] = constant_of<T>(fitted[i]);
-        return reflectance(evaluate(row, values, x[0]));
-    };
+/// A curve over the cosine against the exact one of an index.
+template <class Model>
+material_error enclose_curve(const Model& model, const optical_index& index) {
     const auto exact = [&](const auto& x) {
         using T = std::remove_cvref_t<decltype(x[0])>;
-        return conductor_over(constant_of<T>(index.n), constant_of<T>(index.k), x[0]);
+        return conductor_over(constant_of<T>(interval(index.n)), constant_of<T>(interval(index.k)), x[0]);
     };
     const auto error = [&](const auto& x) { return model(x) - exact(x); };
     const auto relative = [&](const auto& x) { return model(x) / exact(x) - 1; };
-    return {largest_over<1>(error, {any_cosine}, every_metal.absolute),
-            largest_over<1>(relative, {any_cosine}, every_metal.relative).value};
+    return {largest_over<1>(error, {any_cosine}, every_material.absolute),
+            largest_over<1>(relative, {any_cosine}, every_material.relative).value};
 }
 
-/// `gulbrandsen` is the exact equations of an index that its two parameters stand for: its error is the distance of that
-/// index from the metal's, times the slopes of the exact equations between the two.
-metal_error enclose_index(const parameters& fitted, const optical_index& index) {
+/// The exact equations of an index so near that the difference of both curves is lost in their enclosures: the distance
+/// times the slopes between the two.
+material_error enclose_nearby(const complex<interval>& found, const optical_index& index, double off_n,
+                              double off_k) {
     using number = dual<interval, 2>;
-    const complex<interval> found = gulbrandsen_index(interval(fitted[0]), interval(fitted[1]));
-    const interval n(index.n), k(index.k);
-    const double off_n = (found.re - n).magnitude(), off_k = (found.im - k).magnitude();
-    metal_error result{};
+    material_error result{};
     constexpr int parts = 64;
     for (int i = 0; i < parts; ++i) {
         const interval c = interval::between(double(i) / parts, double(i + 1) / parts);
-        const number R = conductor_over(number::variable(hull(found.re, n), 0),
-                                        number::variable(hull(found.im, k), 1), number::constant(c));
+        const number R =
+            conductor_over(number::variable(hull(found.re, interval(index.n)), 0),
+                           number::variable(hull(found.im, interval(index.k)), 1), number::constant(c));
         const interval moved =
             interval(R.d[0].magnitude()) * interval(off_n) + interval(R.d[1].magnitude()) * interval(off_k);
         if (moved.hi > result.absolute.value.hi) result.absolute.value.hi = moved.hi;
@@ -246,32 +239,56 @@ metal_error enclose_index(const parameters& fitted, const optical_index& index) 
     return result;
 }
 
-/// Every metal by itself, with the parameters fitted to it.
+/// `gulbrandsen` is the exact equations of an index that its two parameters stand for; of most materials their own.
+material_error enclose_gulbrandsen(const parameters& fitted, const optical_index& index) {
+    const complex<interval> found = gulbrandsen_index(interval(fitted[0]), interval(fitted[1]));
+    const double off_n = (found.re - interval(index.n)).magnitude(),
+                 off_k = (found.im - interval(index.k)).magnitude();
+    if (off_n + off_k < 1e-9) return enclose_nearby(found, index, off_n, off_k);
+    return enclose_curve(
+        [&](const auto& x) {
+            using T = std::remove_cvref_t<decltype(x[0])>;
+            return conductor_over(constant_of<T>(found.re), constant_of<T>(found.im), x[0]);
+        },
+        index);
+}
+
+/// A model with the parameters fitted to a material against the exact curve.
 template <class Row>
-certificate over_metals(const Row& row) {
+material_error enclose_material(const Row& row, const parameters& fitted, const optical_index& index) {
+    if (row.name == "gulbrandsen") return enclose_gulbrandsen(fitted, index);
+    return enclose_curve(
+        [&](const auto& x) {
+            using T = std::remove_cvref_t<decltype(x[0])>;
+            std::array<T, std::tuple_size_v<decltype(row.parameters)>> values;
+            for (std::size_t i = 0; i < values.size(); ++i)
+                values[i] = constant_of<T>(interval(fitted[i]));
+            return reflectance(evaluate(row, values, x[0]));
+        },
+        index);
+}
+
+/// Every material by itself, with the parameters fitted to it.
+template <class Row>
+certificate over_materials(const Row& row, const std::vector<material_sample>& samples) {
     certificate result{};
     certified relative{};
-    for (const metal_sample& metal : metal_samples()) {
-        const parameters fitted = fit(row.name, channel_of(metal.index));
-        metal_error here;
-        if constexpr (std::tuple_size_v<decltype(row.parameters)> == 2)
-            here = row.name == "gulbrandsen" ? enclose_index(fitted, metal.index)
-                                             : enclose_metal(row, fitted, metal.index);
-        else
-            here = enclose_metal(row, fitted, metal.index);
-        certified_metal one{std::string(metal.name), metal.wavelength_nm, here.absolute.value, {}};
+    for (const material_sample& sample : samples) {
+        const parameters fitted = fit(row.name, channel_of(sample.index));
+        const material_error here = enclose_material(row, fitted, sample.index);
+        certified_material one{sample.name, sample.wavelength_nm, here.absolute.value, {}};
         for (std::size_t i = 0; i < fitted.size(); ++i)
             one.at.emplace_back(row.parameters[i].name, fitted[i]);
         if (one.absolute.lo > 0) one.at.emplace_back("cos_i", here.absolute.at[0]);
         if (one.absolute.lo > result.absolute.lo) {
             result.at = one.at;
-            result.material = fmt::format("{} at {:.0f} nm", metal.name, metal.wavelength_nm);
+            result.material = fmt::format("{} at {:.0f} nm", sample.name, sample.wavelength_nm);
         }
         const auto enlarge = [](certified& all, const certified& with) {
             all = {std::max(all.lo, with.lo), std::max(all.hi, with.hi)};
         };
         enlarge(result.absolute, one.absolute), enlarge(relative, here.relative);
-        result.metals.push_back(std::move(one));
+        result.materials.push_back(std::move(one));
     }
     result.relative = relative, result.proved = true;
     return result;
@@ -461,8 +478,9 @@ std::optional<double> rounding_bound_of(const Row& row) {
     }
 }
 
+/// What holds over the domain of the registry.
 template <std::size_t i>
-certificate certify_row() {
+certificate over_domain() {
     static constexpr const auto& row = std::get<i>(registry);
     certificate result{};
     if constexpr (row.error.over == row::inside_gems)
@@ -472,26 +490,68 @@ certificate certify_row() {
     else if constexpr (row.error.over == row::box)
         result = over_indices(row);
     else if constexpr (row.error.over == row::metals)
-        result = over_metals(row);
+        result = over_materials(row, metal_samples());
     else
         result.absolute = {row.error.max, row.error.max}; // as the registry's test measures it
-    result.model = row.name;
     result.domain =
         result.proved ? std::string(row.error.over) : fmt::format("{}; {}", row.domain, row.error.over);
-    rounding_search search(row);
-    const auto worst = search.worst();
-    result.rounding_found = worst.size, result.rounding_bound = rounding_bound_of(row);
-    result.rounding_at.clear();
-    for (std::size_t p = 0; p < row.parameters.size(); ++p)
-        result.rounding_at.emplace_back(row.parameters[p].name, worst.x[p]);
-    result.rounding_at.emplace_back("cos_i", worst.x[row.parameters.size()]);
     return result;
 }
 
-/// The certificate of the model in each row of the registry.
-template <std::size_t... i>
-constexpr auto certifiers(std::index_sequence<i...>) {
-    return std::array{&certify_row<i>...};
+/// The samples of materials, each with a boundary to air that reflects and has no critical angle.
+std::vector<material_sample> samples_of_all(const std::vector<material>& materials) {
+    std::vector<material_sample> all;
+    for (const material& m : materials)
+        for (material_sample& sample : samples_of(m)) {
+            const auto [n, k] = sample.index;
+            if (n <= 0 || (n <= 1 && k < 0.001) || normal_reflectance(1.0, n, k) < 1e-4)
+                throw bad_input(
+                    fmt::format("material '{}': n = {}, k = {} at {} nm: n must be above 1, or above 0 with "
+                                "k >= 0.001, and the reflectance at normal incidence at least 1e-4",
+                                m.name, n, k, sample.wavelength_nm));
+            all.push_back(std::move(sample));
+        }
+    return all;
+}
+
+/// What holds over these materials.
+template <std::size_t i>
+certificate over_these([[maybe_unused]] const std::vector<material>& materials) {
+    static constexpr const auto& row = std::get<i>(registry);
+    if constexpr (row.kind == model_kind::exact || row.error.over == row::inside_gems) {
+        throw bad_input(fmt::format(
+            "model '{}': must approximate what is seen from outside, to be fitted to a material", row.name));
+    } else {
+        certificate result = over_materials(row, samples_of_all(materials));
+        for (const material& m : materials)
+            result.domain += m.name + ", ";
+        result.domain += "at 450, 550 and 650 nm, parameters fitted";
+        return result;
+    }
+}
+
+/// f.template operator()<i>(), a certificate, where the model is row i of the registry; with its name, and its rounding.
+template <class F>
+certificate certify_row(std::string_view model, const F& f) {
+    const std::span<const model_row<double>> rows = model_table<double>();
+    const auto wanted = static_cast<std::size_t>(&find_model<double>(model) - rows.data());
+    certificate result{};
+    const auto certify_this = [&]<std::size_t i>() {
+        static constexpr const auto& row = std::get<i>(registry);
+        result = f.template operator()<i>();
+        result.model = row.name;
+        rounding_search search(row);
+        const auto worst = search.worst();
+        result.rounding_found = worst.size, result.rounding_bound = rounding_bound_of(row);
+        result.rounding_at.clear();
+        for (std::size_t p = 0; p < row.parameters.size(); ++p)
+            result.rounding_at.emplace_back(row.parameters[p].name, worst.x[p]);
+        result.rounding_at.emplace_back("cos_i", worst.x[row.parameters.size()]);
+    };
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+        ((i == wanted ? certify_this.template operator()<i>() : void()), ...);
+    }(std::make_index_sequence<std::tuple_size_v<decltype(registry)>>{});
+    return result;
 }
 
 } // namespace
@@ -501,10 +561,16 @@ bool can_prove(std::string_view over) {
 }
 
 certificate prove(std::string_view model) {
-    static constexpr auto by_row =
-        certifiers(std::make_index_sequence<std::tuple_size_v<decltype(registry)>>{});
-    const std::span<const model_row<double>> rows = model_table<double>();
-    return by_row[static_cast<std::size_t>(&find_model<double>(model) - rows.data())]();
+    return certify_row(model, []<std::size_t i>() { return over_domain<i>(); });
+}
+
+bool can_fit(std::string_view model) {
+    const model_row<double>& row = find_model<double>(model);
+    return row.kind != model_kind::exact && row.error.over != row::inside_gems;
+}
+
+certificate prove(std::string_view model, const std::vector<material>& materials) {
+    return certify_row(model, [&]<std::size_t i>() { return over_these<i>(materials); });
 }
 
 std::vector<certificate> prove_all() {

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <fresnel/material.hpp>
+
+#include <fresnel/material.hpp>
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,8 +17,8 @@ struct certified {
     double lo, hi;
 };
 
-/// A metal at one wavelength: what is certain of a fitted model's error, and where it is largest, with the parameters.
-struct certified_metal {
+/// A material at one wavelength: what is certain of a fitted model's error, and where it is largest, with the parameters.
+struct certified_material {
     std::string name;
     double wavelength_nm;
     certified absolute;
@@ -28,8 +32,8 @@ struct certificate {
     std::optional<certified> relative; ///< largest |model - exact| / exact
     bool unbounded_near_match = false; ///< whether that exceeds every bound as eta goes to 1; proved
     std::vector<std::pair<std::string, double>> at; ///< where the largest |model - exact| is
-    std::string material;                           ///< of fitted models: which metal, at which wavelength
-    std::vector<certified_metal> metals;            ///< of fitted models: each by itself
+    std::string material;                           ///< of fitted models: which material, at which wavelength
+    std::vector<certified_material> materials;      ///< of fitted models: each by itself
     double rounding_found; ///< largest |float32 model - real model| that a search found
     std::vector<std::pair<std::string, double>> rounding_at; ///< where
     std::optional<double> rounding_bound; ///< what that certainly never exceeds, where proved
@@ -51,6 +55,16 @@ bool can_prove(std::string_view over);
 ///
 /// throws bad_input for an unknown model
 certificate prove(std::string_view model);
+
+/// Whether a model approximates what is seen from outside, and so can be fitted to a material.
+bool can_fit(std::string_view model);
+
+/// The same over other materials, at 450, 550 and 650 nm in air, for any approximation of what is seen from outside, with
+/// the parameters that `fit` gives it: those of f0 alone too.
+///
+/// throws bad_input for an unknown model, for exact ones and `schlick_internal`, and for a material that has no index there,
+/// has a critical angle (n <= 1 and k < 0.001) or reflects less than 1e-4 at normal incidence
+certificate prove(std::string_view model, const std::vector<material>& materials);
 
 /// All models, on as many threads as there are cores, in the order of the registry.
 std::vector<certificate> prove_all();

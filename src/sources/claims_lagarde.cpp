@@ -33,7 +33,7 @@ double by_amplitudes(double n_i, wave n_t, double c) {
 
 finding complex_index_anywhere() {
     double worst = 0;
-    for (const metal_sample& m : metal_samples())
+    for (const material_sample& m : metal_samples())
         for (double c = 0.02; c <= 1; c += 0.02)
             worst = std::max(worst, std::abs(by_amplitudes(1.0, {m.index.n, -m.index.k}, c) -
                                              exact_conductor(m.index.n, m.index.k)(c)));
@@ -90,7 +90,7 @@ finding conductor_form_is_great() {
     for (const double k : {0.0, 0.5, 1.0, 2.0, 5.0})
         values.emplace_back(fmt::format("k_{}", k), air_conductor_error(metal_n, k).size());
     double metals = 0;
-    for (const metal_sample& m : metal_samples())
+    for (const material_sample& m : metal_samples())
         metals = std::max(metals, air_conductor_error(m.index.n, m.index.k).size());
     values.emplace_back("metals", metals);
     return {judgement::holds_within,
@@ -181,7 +181,7 @@ finding dip_is_perpendicular() {
 
 finding no_simple_pseudo_brewster() {
     double worst = 0;
-    for (const metal_sample& m : metal_samples()) {
+    for (const material_sample& m : metal_samples()) {
         const auto R_p = [&](double c) { return conductor(1.0, m.index.n, m.index.k, c).R_p; };
         const double c = pseudo_brewster_cosine(1.0, m.index.n, m.index.k),
                      slope = (R_p(c + 1e-5) - R_p(c - 1e-5)) / 2e-5;
@@ -200,7 +200,7 @@ finding no_simple_pseudo_brewster() {
 // The dips of the built-in metals that have one worth speaking of.
 std::vector<metal_dip> dips() {
     std::vector<metal_dip> found;
-    for (const metal_sample& m : metal_samples())
+    for (const material_sample& m : metal_samples())
         if (const metal_dip dip = find_metal_dip(m.index.n, m.index.k); dip.error < -0.01)
             found.push_back(dip);
     return found;

@@ -67,7 +67,7 @@ finding flat_until_75() {
 finding mostly_monotonic() {
     std::size_t dips = 0, count = 0;
     double deepest = 0;
-    for (const metal_sample& m : metal_samples()) {
+    for (const material_sample& m : metal_samples()) {
         const double c = least_reflectance_cosine(1, m.index.n, m.index.k);
         const double dip =
             exact_conductor(m.index.n, m.index.k)(1) - exact_conductor(m.index.n, m.index.k)(c);
@@ -138,7 +138,7 @@ struct spread {
 
 spread over_metals(std::string_view model) {
     std::vector<double> errors;
-    for (const metal_sample& m : metal_samples()) {
+    for (const material_sample& m : metal_samples()) {
         const channel one = channel_of(m.index);
         const std::vector<double> R = evaluate(model, fit(model, one), one.cos_i);
         double worst = 0;
@@ -205,7 +205,7 @@ finding spectrum_first() {
 
 finding magnitude_of_complex() {
     double worst = 0;
-    for (const metal_sample& m : metal_samples()) {
+    for (const material_sample& m : metal_samples()) {
         const complex<double> r =
             complex<double>{m.index.n - 1, m.index.k} / complex<double>{m.index.n + 1, m.index.k};
         worst = std::max(worst, std::abs(norm(r) - normal_reflectance(1.0, m.index.n, m.index.k)));
@@ -399,7 +399,7 @@ finding bubbles_are_silvery() {
 
 finding only_in_dielectrics() {
     double deepest = 0;
-    for (const metal_sample& m : metal_samples())
+    for (const material_sample& m : metal_samples())
         deepest = std::max(deepest, m.wavelength_nm / (4 * std::numbers::pi * m.index.k));
     const optical_index si = index_at(*find_material("silicon"), 650);
     const double silicon = 650 / (4 * std::numbers::pi * si.k);

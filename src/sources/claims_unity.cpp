@@ -23,7 +23,7 @@ namespace {
 
 finding white_at_grazing() {
     double least = 1;
-    for (const metal_sample& m : metal_samples())
+    for (const material_sample& m : metal_samples())
         least = std::min(least, exact_conductor(m.index.n, m.index.k)(0));
     return {judgement::holds,
             fmt::format(
