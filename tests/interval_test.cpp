@@ -74,6 +74,19 @@ TEST(enclose, runs_both_sides_of_an_undecided_comparison_and_keeps_them_together
     EXPECT_NEAR(root.hi, 0.5, 1e-15) << "not the 1 of the guard";
 }
 
+TEST(enclose, tells_quantities_of_equal_bounds_apart) {
+    const auto step = [](const interval& x) { return select(x < 0, interval(0), interval(1)); };
+    const interval x = interval::between(-1, 1), y = interval::between(-1, 1);
+    const interval between_two = enclose([&] { return step(x) - step(y); });
+    EXPECT_LE(between_two.lo, -1);
+    EXPECT_GE(between_two.hi, 1);
+    const interval opposite = enclose([&] { return step(x) - step(-x); });
+    EXPECT_LE(opposite.lo, -1);
+    EXPECT_GE(opposite.hi, 1);
+    const interval copy = x;
+    EXPECT_LT(enclose([&] { return step(x) - step(copy); }).magnitude(), 1e-300);
+}
+
 TEST(enclose, leaves_nothing_behind_when_the_function_throws) {
     EXPECT_THROW(enclose([]() -> interval { throw std::runtime_error("x"); }), std::runtime_error);
     EXPECT_EQ(interval_rounding::explorer::current(), nullptr);

@@ -5,9 +5,8 @@
 // Every operation is rounded outwards. A comparison of two overlapping intervals has no answer; `enclose` then runs
 // the model once for each possible answer and returns the hull. Within one run the same comparison always has the
 // same answer, so that a model's select of an argument and of the result stay together, and a critical angle inside
-// the interval costs two runs instead of the whole range of the root. Two comparisons are the same if their bounds are:
-// of quantities that differ but have equal bounds, as x and -x around 0, a function that jumps may be enclosed too
-// narrowly. No model compares such; the tests sample every one.
+// the interval costs two runs instead of the whole range of the root. Two comparisons are the same if both compare the same
+// quantities: an interval, its copies, and whatever equals a single number.
 //
 //     const interval R = enclose([&] { return schlick(interval(0.04), interval::between(0, 0.1)); });
 //
@@ -17,6 +16,7 @@
 #include <fresnel/number.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -41,10 +41,24 @@ inline double down(double x) {
 }
 inline double up(double x) { return -down(-x); }
 
+/// A number that no other quantity has, on any thread.
+inline std::uint64_t new_quantity() {
+    static std::atomic<std::uint64_t> threads = 0;
+    static thread_local std::uint64_t last = threads.fetch_add(std::uint64_t{1} << 40);
+    return ++last;
+}
+
+/// What is compared with what: quantities, and their bounds.
+struct comparison {
+    std::uint64_t a, b;
+    double a_lo, a_hi, b_lo, b_hi;
+    bool operator==(const comparison&) const = default;
+};
+
 /// The answers given to undecided comparisons during one run, and which of them are still to be tried.
 struct explorer {
     struct answer {
-        double key[4];
+        comparison of;
         bool value, both_tried;
     };
     std::vector<answer> answers;
@@ -55,14 +69,14 @@ struct explorer {
         return active;
     }
 
-    bool decide(double a_lo, double a_hi, double b_lo, double b_hi) {
-        const double key[4] = {a_lo, a_hi, b_lo, b_hi};
+    bool decide(const comparison& this_one) {
         for (std::size_t i = 0; i < used; ++i)
-            if (std::equal(key, key + 4, answers[i].key)) return answers[i].value;
+            if (answers[i].of == this_one) return answers[i].value;
         if (used == answers.size()) {
             if (answers.size() > 24) throw std::runtime_error("interval: too many undecided comparisons");
-            answers.push_back({{a_lo, a_hi, b_lo, b_hi}, true, false});
+            answers.push_back({this_one, true, false});
         }
+        answers[used].of = this_one; // another run has other quantities
         return answers[used++].value;
     }
     // The next combination of answers; false after the last.
@@ -86,14 +100,13 @@ struct interval {
     constexpr interval(int integer) : lo(integer), hi(integer) {}
     /// A single number.
     constexpr explicit interval(double value) : lo(value), hi(value) {}
-    static constexpr interval between(double lo, double hi) {
+    static interval between(double lo, double hi) {
         interval x;
         x.lo = lo, x.hi = hi;
+        if (lo < hi) x.quantity_ = interval_rounding::new_quantity();
         return x;
     }
-    static constexpr interval entire() {
-        return between(-interval_rounding::infinity, interval_rounding::infinity);
-    }
+    static interval entire() { return between(-interval_rounding::infinity, interval_rounding::infinity); }
 
     double width() const { return hi - lo; }
     double middle() const { return lo + (hi - lo) / 2; }
@@ -177,8 +190,10 @@ private:
     static bool undecided(const interval& x, const interval& y) {
         interval_rounding::explorer* const e = interval_rounding::explorer::current();
         if (e == nullptr) throw std::logic_error("interval: an undecided comparison outside enclose()");
-        return e->decide(x.lo, x.hi, y.lo, y.hi);
+        return e->decide({x.quantity_, y.quantity_, x.lo, x.hi, y.lo, y.hi});
     }
+
+    std::uint64_t quantity_ = 0; ///< what copies share; 0 of a single number
 };
 
 inline bool overlap(const interval& x, const interval& y) { return x.lo < y.hi && y.lo < x.hi; }
