@@ -5,18 +5,35 @@
 
 #include "analysis/multi.hpp"
 
+#include <fresnel/types/interval.hpp> // before dual.hpp, which asks whether its numbers overlap
+
+#include <fresnel/average.hpp>
 #include <fresnel/geometry.hpp>
 #include <fresnel/models.hpp>
+#include <fresnel/slab.hpp>
 #include <fresnel/types/dual.hpp>
+#include <fresnel/types/rounding.hpp>
+#include <fresnel/types/simd.hpp>
+#include <fresnel/types/sym.hpp>
+#include <fresnel/types/wide.hpp>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
+#include <type_traits>
 
 namespace fresnel::test {
 namespace {
+
+/// An int makes one by itself; a double, which would be cut to an int, does not.
+template <class T>
+constexpr bool integers_only =
+    std::is_convertible_v<int, T> && !std::is_convertible_v<double, T> && !std::is_convertible_v<float, T>;
+static_assert(integers_only<dual<double, 1>> && integers_only<dual<interval, 2>>);
+static_assert(integers_only<interval> && integers_only<rounding> && integers_only<sym>);
+static_assert(integers_only<batch<float, 4>> && integers_only<wide<batch<float, 4>, 2>>);
 
 /// A value of a parameter where renderers have it, away from the kinks that clamps make where a reflectance is 1 everywhere.
 double draw(const parameter& p, random_numbers& random) {
@@ -146,6 +163,47 @@ TEST(dual, keeps_the_slope_at_grazing_incidence_and_at_an_index_match) {
     EXPECT_NEAR(slope(0.5, 0.3).d[1], 0, 1e-60) << "total internal reflection";
 }
 
+TEST(dual, is_right_where_re_q2_is_exactly_0) {
+    // n = k straight on, and n_t = n_i with k = cos_i: |Re q^2| and the choice between Re q and Im q both turn here
+    for (const auto& [n, k, c] :
+         {std::array{3.0, 3.0, 1.0}, {0.5, 0.5, 1.0}, {0.25, 0.25, 1.0}, {1.0, 0.125, 0.125}}) {
+        const auto check = [&, n = n, k = k, c = c](const auto& model, const std::string& name) {
+            using d = dual<double, 2>;
+            const d found = model(d::variable(n, 0), d::variable(k, 1), d::constant(c));
+            const auto by_n = [&](const real50& x) { return model(x, real50(k), real50(c)); };
+            const auto by_k = [&](const real50& x) { return model(real50(n), x, real50(c)); };
+            EXPECT_NEAR(found.d[0], difference(by_n, real50(n), 0, 1000), 1e-12) << name << " " << n;
+            EXPECT_NEAR(found.d[1], difference(by_k, real50(k), 0, 1000), 1e-12) << name << " " << n;
+        };
+        check([](auto x, auto y, auto z) { return conductor(decltype(x)(1), x, y, z).reflectance(); },
+              "conductor");
+        check([](auto x, auto y, auto z) { return conductor(decltype(x)(1), x, y, z).T_p; }, "T_p");
+        check([](auto x, auto y, auto z) { return conductor_fast(decltype(x)(1), x, y, z).reflectance(); },
+              "fast");
+        check([](auto x, auto y, auto z) { return conductor_precise(decltype(x)(1), x, y, z).reflectance(); },
+              "precise");
+        check([](auto x, auto y, auto z) { return norm(boundary_amplitudes(decltype(x)(1), x, y, z).r_p); },
+              "r_p");
+    }
+}
+
+TEST(dual, of_an_average_at_an_index_match_is_that_of_one_side) {
+    const auto slope = [](double eta) { return dielectric_average(dual<double, 1>::variable(eta, 0)).d[0]; };
+    EXPECT_NEAR(slope(1), slope(1 - 1e-9), 1e-6);
+}
+
+TEST(dual, of_a_clear_plate_at_grazing_incidence_is_that_of_the_window) {
+    using d = dual<double, 1>;
+    const d c = d::variable(0, 0);
+    const boundary<d> clear = window(d(1), d(3) / 2, c);
+    const slab<d> absorbing = window_absorbing(d(1), d(3) / 2, d(0), c);
+    EXPECT_NEAR(absorbing.R_s.d[0], clear.R_s.d[0], 1e-14);
+    EXPECT_NEAR(absorbing.R_p.d[0], clear.R_p.d[0], 1e-14);
+    EXPECT_NEAR(absorbing.T_s.d[0], clear.T_s.d[0], 1e-14);
+    EXPECT_NEAR(absorbing.T_p.d[0], clear.T_p.d[0], 1e-14);
+    EXPECT_NEAR(clear.R_s.d[0], -1.788854, 1e-6);
+}
+
 TEST(dual, of_total_internal_reflection_is_0_on_its_side_and_finite_on_the_other) {
     using number = dual<double, 1>;
     const double critical = critical_cosine(1 / 1.5);
@@ -186,6 +244,8 @@ TEST(dual, of_nothing_times_an_infinite_slope_is_0) {
     EXPECT_TRUE(std::isfinite(lazanyi(fixed(2), fixed(3), fixed(0), fixed(0.5), c).d[0]));
     EXPECT_EQ(bias_scale_power(fixed(0.5), fixed(0), fixed(0.5), c).d[0], 0);
     EXPECT_TRUE(std::isinf(schlick_power(fixed(0.2), fixed(0.5), fixed(0.5), c).d[0])) << "a true one";
+    EXPECT_EQ((fixed(0) / (1 + sqrt(c))).d[0], 0);
+    EXPECT_EQ(pow(c, fixed(0)).d[0], 0);
 }
 
 TEST(dual, works_in_float_and_in_60_digits) {

@@ -58,6 +58,18 @@ TEST(interval, divided_by_one_that_holds_0_is_everything) {
     EXPECT_EQ(all.hi, interval_rounding::infinity);
 }
 
+TEST(interval, knows_no_number_below_0_beside_0_itself) {
+    for (const interval& x :
+         {interval::between(-0.0, 4), -interval::between(-4, 0), max(-interval(0), interval(0))})
+        EXPECT_EQ(pow(x, interval(-1)).hi, interval_rounding::infinity) << x.lo << " " << x.hi;
+}
+
+TEST(interval, of_infinities_that_cancel_is_everything) {
+    const interval endless(interval_rounding::infinity), all = endless - endless;
+    EXPECT_EQ(all.lo, -interval_rounding::infinity);
+    EXPECT_EQ(all.hi, interval_rounding::infinity);
+}
+
 TEST(interval, without_enclose_refuses_an_undecided_comparison) {
     const interval x = interval::between(0, 2), y = interval::between(1, 3);
     EXPECT_THROW((void)(x < y), std::logic_error);

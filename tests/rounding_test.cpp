@@ -97,6 +97,20 @@ TEST(rounding, refuses_a_comparison_that_only_one_of_the_two_might_pass) {
     EXPECT_THROW((void)(rounding(0, 0.5) < rounding(0.4, 1)), rounding::undecided);
 }
 
+TEST(rounding, refuses_a_root_of_what_float_may_have_below_0) {
+    const rounding x(1.10013485, 1.10013486), y(1.33148956, 1.33148957); // x^3 - y is 9e-10, in float below 0
+    EXPECT_THROW((void)sqrt(x * x * x - y), rounding::undecided);
+    EXPECT_THROW((void)log2(x * x * x - y), rounding::undecided);
+    EXPECT_NO_THROW((void)sqrt(rounding(0, 1) * rounding(0, 1)));
+}
+
+TEST(rounding, charges_an_integer_that_float_does_not_have) {
+    const rounding x = rounding(16777217) - 16777216;
+    EXPECT_EQ(x.machine.hi, 0);
+    EXPECT_GE(x.error, 1);
+    EXPECT_EQ(rounding(16777216).error, 0);
+}
+
 /// Every model over boxes of any size, where it makes no such comparison.
 template <std::size_t N, class F>
 int scan(const model<N, F>& row) {

@@ -62,7 +62,7 @@ T dielectric_average(T eta) {
     const T bracket = let("bracket", 2 * (u * up * log_u) + P / 12 + down * (1 + v * (6 + v)) * h / 4);
     const T v1 = let("v1", 1 + v);
     const T A = let("A", u * bracket / (v1 * v1 * v1));
-    return select(eta < 1, (1 - eta) * (1 + eta) + eta * eta * A, A);
+    return select(eta <= 1, (1 - eta) * (1 + eta) + eta * eta * A, A);
 }
 
 /// One segment of `conductor_average`: the integral of 2 R c dc from lo to hi.

@@ -151,8 +151,8 @@ normal_wave<T> refract_complex(T n_i, T n_t, T k_t, T cos_i) {
     const T m = let("m", sqrt((A + abs(t0)) / 2));
     const T q = let("q", nk / select(m > 0, m, T(1)));
 
-    const T a = let("a", select(t0 < 0, q, m));
-    const T b = let("b", select(t0 < 0, m, q));
+    const T a = let("a", select(t0 <= 0, q, m));
+    const T b = let("b", select(t0 <= 0, m, q));
     const auto near = max(2 * abs(a - c), b) < c;
     const T d = let("d", select(near, (E + b * b) / select(near, a + c, T(1)), a - c));
     return {a, b, d};
@@ -287,8 +287,8 @@ boundary<T> conductor_precise(T n_i, T n_t, T k_t, T cos_i) {
     const T A = let("A", max(sqrt(t0 * t0 + 4 * (nk * nk)), size), "|q|^2");
     const T larger = let("larger", sqrt((A + size) / 2), "of |Re q| and |Im q|");
     const T smaller = let("smaller", nk / select(larger > 0, larger, T(1)));
-    const T a = let("a", select(t0 < 0, smaller, larger), "Re q");
-    const T b = let("b", select(t0 < 0, larger, smaller), "Im q");
+    const T a = let("a", select(t0 <= 0, smaller, larger), "Re q");
+    const T b = let("b", select(t0 <= 0, larger, smaller), "Im q");
     const T b2 = let("b2", b * b);
 
     const T a_minus_c =

@@ -16,7 +16,7 @@
 //                             model its title, for which no comment is needed
 //     result_of("f", x, a, b) x itself, which a function f made of a and b; number types that print write a call of f
 //     ratio<T, 1, 7>()        the constant 1/7, correctly rounded in every T
-//     T(1)                    an integer as a T, where a literal alone would not have the type
+//     T(1)                    an integer as a T, where a literal alone would not have the type; of 24 bits at most
 //
 // Why integer literals only: 0.5 * x silently turns a float model into a double one, and T(0.04) means a
 // different number in every T. An integer and a ratio of integers mean the same in all of them.
@@ -29,7 +29,8 @@
 //
 // and not sqrt(max(x, 0)), whose derivative at a clamped x is 0 / 0.
 //
-// To add a number type: put it in a namespace of its own, give it implicit construction from int, the
+// To add a number type: put it in a namespace of its own, give it implicit construction from int and from nothing else
+// (template <class U> number(U) = delete; or a double would be cut to an int; no model needs a default constructor), the
 // operators, and functions of these names as friends (argument-dependent lookup finds them). A type whose
 // comparisons give bool (float, double, a multiprecision number) needs only the arithmetic: select, min,
 // max and let below already serve it. Specialise std::numeric_limits for it as well: conductor_precise asks for its

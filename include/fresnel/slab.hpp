@@ -91,8 +91,8 @@ template <class T>
 power_split<T> add_bounces(T R1, T T1, T R2, T T2, passage<T> through) {
     const T a = through.passed;
     const T D = let("D", through.absorbed * (1 + a) + a * a * (T1 + R1 * T2));
-    const auto shut = D <= 0; // nothing enters, and nothing would be absorbed
-    const T inside = let("inside", select(shut, T(0), T1 / select(shut, T(1), D)));
+    const auto shut = D <= 0; // nothing enters, and nothing would be absorbed: the limit for equal faces
+    const T inside = let("inside", select(shut, ratio<T, 1, 2>(), T1 / select(shut, T(1), D)));
     return {min(R1 + T1 * inside * (a * a * R2), T(1)), min(inside * (a * T2), T(1)),
             min(inside * (through.absorbed * (1 + a * R2)), T(1))};
 }

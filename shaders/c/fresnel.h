@@ -617,8 +617,8 @@ static inline float conductor_precise(float n_i, float n_t, float k_t, float cos
     const float A = fmaxf(sqrtf(q2.x * q2.x + 4.0f * (nk * nk)), size); // |q|^2
     const float larger = sqrtf((A + size) / 2.0f); // of |Re q| and |Im q|
     const float smaller = nk / (larger > 0.0f ? larger : 1.0f);
-    const float a = q2.x < 0.0f ? smaller : larger; // Re q
-    const float b = q2.x < 0.0f ? larger : smaller; // Im q
+    const float a = q2.x <= 0.0f ? smaller : larger; // Re q
+    const float b = q2.x <= 0.0f ? larger : smaller; // Im q
     const float b2 = b * b;
 
     // s-polarised; d is a - c, exact near an index match as well
@@ -688,8 +688,8 @@ static inline fresnel_boundary conductor_precise_boundary(float n_i, float n_t, 
     const float A = fmaxf(sqrtf(q2.x * q2.x + 4.0f * (nk * nk)), size); // |q|^2
     const float larger = sqrtf((A + size) / 2.0f); // of |Re q| and |Im q|
     const float smaller = nk / (larger > 0.0f ? larger : 1.0f);
-    const float a = q2.x < 0.0f ? smaller : larger; // Re q
-    const float b = q2.x < 0.0f ? larger : smaller; // Im q
+    const float a = q2.x <= 0.0f ? smaller : larger; // Re q
+    const float b = q2.x <= 0.0f ? larger : smaller; // Im q
     const float b2 = b * b;
 
     // s-polarised; d is a - c, exact near an index match as well

@@ -596,8 +596,8 @@ FRESNEL_FUNCTION float conductor_precise(float n_i, float n_t, float k_t, float 
     float A = fmaxf(sqrtf(q2.x * q2.x + 4.0f * (nk * nk)), size); // |q|^2
     float larger = sqrtf((A + size) / 2.0f); // of |Re q| and |Im q|
     float smaller = nk / (larger > 0.0f ? larger : 1.0f);
-    float a = q2.x < 0.0f ? smaller : larger; // Re q
-    float b = q2.x < 0.0f ? larger : smaller; // Im q
+    float a = q2.x <= 0.0f ? smaller : larger; // Re q
+    float b = q2.x <= 0.0f ? larger : smaller; // Im q
     float b2 = b * b;
 
     // s-polarised; d is a - c, exact near an index match as well
@@ -664,8 +664,8 @@ FRESNEL_FUNCTION fresnel_boundary conductor_precise_boundary(float n_i, float n_
     float A = fmaxf(sqrtf(q2.x * q2.x + 4.0f * (nk * nk)), size); // |q|^2
     float larger = sqrtf((A + size) / 2.0f); // of |Re q| and |Im q|
     float smaller = nk / (larger > 0.0f ? larger : 1.0f);
-    float a = q2.x < 0.0f ? smaller : larger; // Re q
-    float b = q2.x < 0.0f ? larger : smaller; // Im q
+    float a = q2.x <= 0.0f ? smaller : larger; // Re q
+    float b = q2.x <= 0.0f ? larger : smaller; // Im q
     float b2 = b * b;
 
     // s-polarised; d is a - c, exact near an index match as well

@@ -600,8 +600,8 @@ fn conductor_precise(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> f32 {
     let A = max(sqrt(q2.x * q2.x + 4.0 * (nk * nk)), size); // |q|^2
     let larger = sqrt((A + size) / 2.0); // of |Re q| and |Im q|
     let smaller = nk / select(1.0, larger, larger > 0.0);
-    let a = select(larger, smaller, q2.x < 0.0); // Re q
-    let b = select(smaller, larger, q2.x < 0.0); // Im q
+    let a = select(larger, smaller, q2.x <= 0.0); // Re q
+    let b = select(smaller, larger, q2.x <= 0.0); // Im q
     let b2 = b * b;
 
     // s-polarised; d is a - c, exact near an index match as well
@@ -667,8 +667,8 @@ fn conductor_precise_boundary(n_i: f32, n_t: f32, k_t: f32, cos_i: f32) -> fresn
     let A = max(sqrt(q2.x * q2.x + 4.0 * (nk * nk)), size); // |q|^2
     let larger = sqrt((A + size) / 2.0); // of |Re q| and |Im q|
     let smaller = nk / select(1.0, larger, larger > 0.0);
-    let a = select(larger, smaller, q2.x < 0.0); // Re q
-    let b = select(smaller, larger, q2.x < 0.0); // Im q
+    let a = select(larger, smaller, q2.x <= 0.0); // Re q
+    let b = select(smaller, larger, q2.x <= 0.0); // Im q
     let b2 = b * b;
 
     // s-polarised; d is a - c, exact near an index match as well

@@ -45,22 +45,23 @@ struct estimate {
     std::size_t widest;
 };
 
-/// Natural intervals intersected with the mean value form f(m) + f'(box) (box - m), where the slope is bounded.
+/// Natural intervals intersected with the mean value form f(m) + f'(box) (box - m), where the slope is bounded and no
+/// comparison is undecided, at which f may jump.
 template <std::size_t D, class F>
 estimate enclose_over(const F& f, const box<D>& b) {
     using number = dual<interval, static_cast<int>(D)>;
     std::array<number, D> x;
     for (std::size_t i = 0; i < D; ++i)
         x[i] = number::variable(b[i], static_cast<int>(i));
-    bool first = true;
+    int branches = 0;
     number over;
     for_each_branch([&] { return f(x); },
                     [&](const number& one) {
-                        if (first) over = one;
+                        if (branches == 0) over = one;
                         over.value = hull(over.value, one.value);
                         for (std::size_t i = 0; i < D; ++i)
                             over.d[i] = hull(over.d[i], one.d[i]);
-                        first = false;
+                        ++branches;
                     });
     const interval centre = enclose([&] { return f(middle_of(b)); });
     interval centred = centre;
@@ -72,7 +73,7 @@ estimate enclose_over(const F& f, const box<D>& b) {
         const double size = std::isfinite(move.width()) ? move.width() : 1e9 * b[i].width();
         if (size > most) most = size, widest = i;
     }
-    const bool bounded = std::isfinite(centred.lo) && std::isfinite(centred.hi);
+    const bool bounded = branches == 1 && std::isfinite(centred.lo) && std::isfinite(centred.hi);
     return {bounded ? intersection(over.value, centred) : over.value, centre, widest};
 }
 

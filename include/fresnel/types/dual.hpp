@@ -10,9 +10,10 @@
 // root or a quotient, the guarded side is a constant, its derivative 0, and no 0 / 0 arises on the other.
 //
 // Infinite derivatives that are true, and where: the square root at a critical angle; sqrt f0 at f0 = 0 in
-// powers_3_6_9; x^power at x = 0 for a power below 1. At a kink (a clamp, max) the derivative is that of the side that
-// is returned, but where rounding alone may have taken a value past a constant, as at cos_i = 0, that of the value. So
-// where a clamp begins just there (f82 = 1 at cos_i = 0) it is the slope without the clamp, be it infinite. Where a
+// inner_eta_from_f0, in immersed and in what is made of them, NaN where two of them meet; x^power at x = 0 for a power below 1. At a kink (a clamp, max) the derivative
+// is that of the side that is returned, but where rounding alone may have taken a value past a constant other than 0, as
+// at cos_i = 0, that of the value. So where a clamp begins just there (f82 = 1 at cos_i = 0) it is the slope without the
+// clamp, be it infinite. Where a
 // value has lost its digits its derivative has too: of the fast exact models near an index match and, by a k_t below
 // 1e-8, beyond the critical angle; of gulbrandsen at r = 0 in float. Between equal media at cos_i = 0 R jumps, and
 // conductor_precise gives NaN; schlick_internal, whose slope there is -5, gives 0.
@@ -33,6 +34,8 @@ struct dual {
 
     dual() = default;
     constexpr dual(int integer) : value(T(integer)) { d.fill(T(0)); }
+    template <class U>
+    dual(U) = delete; // a double would be cut to an int; `constant` and `variable` take a T
 
     /// A value that depends on no variable.
     static dual constant(T value) {
@@ -65,7 +68,11 @@ struct dual {
         const T quotient = x.value / y.value;
         dual result = constant(quotient);
         for (std::size_t i = 0; i < N; ++i)
-            result.d[i] = (x.d[i] - quotient * y.d[i]) / y.value;
+            result.d[i] = (x.d[i] - product(y.d[i], quotient)) / y.value;
+        if constexpr (std::is_floating_point_v<T>)
+            if (quotient == 0)
+                for (std::size_t i = 0; i < N; ++i)
+                    if (x.d[i] == 0) result.d[i] = 0; // 0 over an infinite slope
         return result;
     }
 
@@ -83,7 +90,7 @@ struct dual {
     friend dual min(const dual& x, const dual& y) { return -max(-x, -y); }
     friend dual max(const dual& x, const dual& y) {
         // of intervals that overlap, the slope is one of the two
-        if constexpr (requires { overlap(x.value, y.value); })
+        if constexpr (!std::is_arithmetic_v<T> && requires { overlap(x.value, y.value); })
             if (overlap(x.value, y.value)) {
                 dual result = constant(max(x.value, y.value));
                 for (std::size_t i = 0; i < N; ++i)
@@ -96,7 +103,8 @@ struct dual {
                 result.d = is_constant(x) ? y.d : x.d;
         return result;
     }
-    friend dual abs(const dual& x) { return select(x < dual(0), -x, x); }
+    /// At 0 the slope of -x, as models choose between sides by <= 0.
+    friend dual abs(const dual& x) { return select(x <= dual(0), -x, x); }
 
     friend dual sqrt(const dual& x) {
         using fresnel::sqrt;
@@ -127,7 +135,7 @@ struct dual {
         using fresnel::pow;
         const T power = pow(x.value, y.value);
         const bool zero = x.value == T(0);
-        const T dx = is_constant(x) ? T(0) : y.value * pow(x.value, y.value - 1);
+        const T dx = is_constant(x) || y.value == T(0) ? T(0) : y.value * pow(x.value, y.value - 1);
         const T dy = zero || is_constant(y) ? T(0) : power * log(x.value);
         return chain(power, x, dx, y, dy);
     }

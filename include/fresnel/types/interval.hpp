@@ -100,6 +100,8 @@ struct interval {
     constexpr interval(int integer) : lo(integer), hi(integer) {}
     /// A single number.
     constexpr explicit interval(double value) : lo(value), hi(value) {}
+    template <class U>
+    interval(U) = delete; // a double would be cut to an int where nobody wrote interval(value)
     static interval between(double lo, double hi) {
         interval x;
         x.lo = lo, x.hi = hi;
@@ -121,8 +123,8 @@ struct interval {
 
     friend interval operator-(const interval& x) { return between(-x.hi, -x.lo); }
     friend interval operator+(const interval& x, const interval& y) {
-        using namespace interval_rounding;
-        return between(down(x.lo + y.lo), up(x.hi + y.hi));
+        const double lo = x.lo + y.lo, hi = x.hi + y.hi;
+        return std::isnan(lo) || std::isnan(hi) ? entire() : rounded(lo, hi);
     }
     friend interval operator-(const interval& x, const interval& y) { return x + -y; }
     friend interval operator*(const interval& x, const interval& y) {
@@ -171,7 +173,7 @@ struct interval {
         return between(twice_down(std::log(std::max(x.lo, 0.0))), twice_up(std::log(std::max(x.hi, 0.0))));
     }
     friend interval pow(const interval& x, const interval& y) {
-        const double a = std::max(x.lo, 0.0), b = std::max(x.hi, 0.0);
+        const double a = x.lo > 0 ? x.lo : 0, b = x.hi > 0 ? x.hi : 0; // never -0, whose powers are negative
         const double p[4] = {std::pow(a, y.lo), std::pow(a, y.hi), std::pow(b, y.lo), std::pow(b, y.hi)};
         return between(std::max(twice_down(*std::min_element(p, p + 4)), 0.0),
                        twice_up(*std::max_element(p, p + 4)));

@@ -10,8 +10,8 @@
 // difference of floats within a factor of two adds nothing (Sterbenz 1974, "Floating-Point Computation"), a factor that
 // is a power of two half the least subnormal. Rounding to nearest, no contraction, no overflow.
 //
-// The two computations must take the same way: a comparison that only one of them might pass throws undecided.
-// min, max and abs need no such answer.
+// The two computations must take the same way: a comparison that only one of them might pass throws undecided, and so
+// does a root, logarithm or power of what float may have below 0. min, max and abs need no such answer.
 
 #include <fresnel/number.hpp>
 #include <fresnel/types/interval.hpp>
@@ -27,14 +27,18 @@ namespace fresnel {
 struct rounding {
     struct undecided : std::runtime_error {
         undecided()
-            : runtime_error("rounding: float and real results may lie on two sides of a comparison") {}
+            : runtime_error("rounding: float and real results may lie on two sides of a comparison or of 0") {
+        }
     };
 
     interval real, machine;
     double error = 0;
 
     rounding() = default;
-    rounding(int integer) : real(integer), machine(integer) {}
+    rounding(int integer)
+        : real(integer), machine(nearest(integer)), error(std::abs(integer - nearest(integer))) {}
+    template <class U>
+    rounding(U) = delete; // a double would be cut to an int; rounding(x, x) takes a float
     /// Every float from lo to hi, itself without error.
     rounding(double lo, double hi) : real(interval::between(lo, hi)), machine(real) {}
 
@@ -74,6 +78,7 @@ struct rounding {
     friend rounding abs(const rounding& x) { return max(x, -x); }
 
     friend rounding sqrt(const rounding& x) {
+        require_not_negative(x);
         const interval of_real = sqrt(x.real), of_machine = sqrt(x.machine);
         return rounded(of_real, of_machine, x.error / (of_real.lo + of_machine.lo));
     }
@@ -82,13 +87,16 @@ struct rounding {
         return from_library(exp2(x.real), exp2(x.machine), times(x.error, both.hi * 0.6931471806));
     }
     friend rounding log(const rounding& x) {
+        require_not_negative(x);
         return from_library(log(x.real), log(x.machine), x.error / hull(x.real, x.machine).lo);
     }
     friend rounding log2(const rounding& x) {
+        require_not_negative(x);
         return from_library(log2(x.real), log2(x.machine),
                             1.4426950409 * x.error / hull(x.real, x.machine).lo);
     }
     friend rounding pow(const rounding& x, const rounding& y) {
+        require_not_negative(x);
         const interval a = hull(x.real, x.machine), b = hull(y.real, y.machine);
         const interval by_x = b * pow(a, b - interval(1)), by_y = pow(a, b) * log(a);
         return from_library(pow(x.real, y.real), pow(x.machine, y.machine),
@@ -100,6 +108,9 @@ private:
 
     static constexpr double subnormal = 0x1p-150; // half the least
 
+    static void require_not_negative(const rounding& x) {
+        if (x.machine.lo < 0) throw undecided();
+    }
     static bool zero(const rounding& x) { return x.machine == interval(0); }
     static bool power_of_two(const rounding& x) {
         int exponent = 0;
@@ -115,7 +126,7 @@ private:
     // Through memory: g++ 12 drops double to float to double where it makes vectors of a pair of them.
     static double nearest(double x) {
         const volatile float narrow = static_cast<float>(x);
-        return static_cast<double>(narrow);
+        return static_cast<double>(narrow) + 0.0; // never -0
     }
     // Of anything whose size rounds to at most x >= 0, a float.
     static double half_unit(double x) {

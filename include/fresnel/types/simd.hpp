@@ -298,6 +298,8 @@ public:
 
     batch() = default;
     FRESNEL_INLINE batch(int integer) : batch(broadcast(static_cast<float>(integer))) {}
+    template <class U>
+    batch(U) = delete; // a float would be cut to an int; `broadcast` takes one
     explicit FRESNEL_INLINE batch(floats lanes) : lanes_(lanes) {}
 
     /// The same value in every lane.

@@ -29,14 +29,13 @@ private:
 /// A double behind the vocabulary of number.hpp, made from an int or from ratio<T, a, b>().
 class number {
 public:
-    number() = default;
     constexpr number(int integer) : value_(integer) {}
     template <class T>
     constexpr number(T) = delete; // integers and ratio<T, numerator, denominator>() only
 
     /// A measured value on its way in: for tests and callers, never for a model.
     static constexpr number from(double value) {
-        number x;
+        number x(0);
         x.value_ = value;
         return x;
     }
@@ -75,7 +74,7 @@ public:
     friend number pow(int x, number y) = delete;
 
 private:
-    double value_ = 0;
+    double value_;
 };
 
 } // namespace fresnel::only

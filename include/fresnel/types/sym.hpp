@@ -108,16 +108,17 @@ class expression_graph;
 /// A node of the graph that is being recorded, behind the vocabulary of number.hpp.
 class sym {
 public:
-    sym() = default;
     sym(int integer);
     explicit sym(std::uint32_t node) : node_(node) {}
+    template <class U>
+    sym(U) = delete; // a double would be cut to an int; `constant` takes a float
     /// A measured value or a parameter that is fixed.
     static sym constant(float value);
     static sym constant(std::array<float, 3> values);
     std::uint32_t node() const { return node_; }
 
 private:
-    std::uint32_t node_ = 0;
+    std::uint32_t node_;
 };
 
 /// The result of a comparison. It has no conversion to bool: a symbol has no truth yet.

@@ -55,6 +55,8 @@ public:
         for (V& part : part_)
             part = V(integer);
     }
+    template <class U>
+    wide(U) = delete; // a float would be cut to an int; `broadcast` takes one
 
     /// The same value in every lane.
     static FRESNEL_INLINE wide broadcast(float x) {

@@ -620,8 +620,8 @@ float conductor_precise(float n_i, float n_t, float k_t, float cos_i) {
     float A = max(sqrt(q2.x * q2.x + 4.0 * (nk * nk)), size); // |q|^2
     float larger = sqrt((A + size) / 2.0); // of |Re q| and |Im q|
     float smaller = nk / (larger > 0.0 ? larger : 1.0);
-    float a = q2.x < 0.0 ? smaller : larger; // Re q
-    float b = q2.x < 0.0 ? larger : smaller; // Im q
+    float a = q2.x <= 0.0 ? smaller : larger; // Re q
+    float b = q2.x <= 0.0 ? larger : smaller; // Im q
     float b2 = b * b;
 
     // s-polarised; d is a - c, exact near an index match as well
@@ -687,8 +687,8 @@ fresnel_boundary conductor_precise_boundary(float n_i, float n_t, float k_t, flo
     float A = max(sqrt(q2.x * q2.x + 4.0 * (nk * nk)), size); // |q|^2
     float larger = sqrt((A + size) / 2.0); // of |Re q| and |Im q|
     float smaller = nk / (larger > 0.0 ? larger : 1.0);
-    float a = q2.x < 0.0 ? smaller : larger; // Re q
-    float b = q2.x < 0.0 ? larger : smaller; // Im q
+    float a = q2.x <= 0.0 ? smaller : larger; // Re q
+    float b = q2.x <= 0.0 ? larger : smaller; // Im q
     float b2 = b * b;
 
     // s-polarised; d is a - c, exact near an index match as well
