@@ -10,8 +10,8 @@
 // that a change of clock or a busy neighbour meets all of them:
 //   ns_per_value     time of one reflectance
 //   share_of_limit   the limit's time over it. The limit is the largest of: the model's divisions and square roots at
-//                    the instruction set's own rate; its other operations, each at the rate of multiply-adds, exp2 and
-//                    pow at their own; reading its inputs and writing its output. Where additions have units beside
+//                    the instruction set's own rate; its other operations where n_i is 1, as it is here, each at the rate of
+//                    multiply-adds, exp2 and pow at their own; reading its inputs and writing its output. Where additions have units beside
 //                    those of multiplications, a model of few multiplications passes it
 //   share_of_mix     the time of the kernel's own instructions when none waits for another's result, over it. More than
 //                    the limit where units share what they need, as the divider and the multipliers may; the compiler
@@ -70,7 +70,7 @@ double median(std::vector<double> values) {
 
 /// Times of several works that take turns: seconds[work], medians over the rounds.
 std::vector<double> take_turns(const std::vector<work>& works, bool large) {
-    const int rounds = large ? 5 : 41;
+    const int rounds = large ? 15 : 41;
     std::vector<int> times;
     for (const work& run : works) {
         const double once = seconds(run, 1);
@@ -239,7 +239,7 @@ void run_model(benchmark::State& state, const std::string& name, const batch_mod
                                [&] { units.stream(in.arrays.data(), arrays, rival_R.data(), count); }};
     for (const work& unit : limit::works(units))
         works.push_back(unit);
-    const operation_count operations = count_operations(model.name);
+    const operation_count operations = count_operations_in_vacuum(model.name);
     const bool mixed = units.mix && count == small_size && operations.exponential + operations.power == 0;
     if (mixed) works.push_back([&] { units.mix(model.name, in.all.data(), rival_R.data(), count); });
 

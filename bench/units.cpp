@@ -144,6 +144,8 @@ public:
     }
     friend FRESNEL_INLINE freed operator*(freed x, freed y) {
         if (x.constant_ && y.constant_) return known(x.constant_ * y.constant_);
+        if (x.constant_ == 1) return y;
+        if (y.constant_ == 1) return x;
         if (x.constant_ == 2) return y + y;
         freed z; FRESNEL_FREED(z.lanes_, "vmulps %1,%1,%0", "v"(x.lanes_), "v"(y.lanes_)); return z;
     }
@@ -205,6 +207,8 @@ template <class Row>
         several x[n + 1];
         for (int k = 0; k <= n; ++k)
             x[k] = several::load(in[k] + i);
+        if constexpr (n > 0)
+            if (row.parameters[0].name == "n_i") x[0] = 1; // as in the kernel
         [&]<std::size_t... k>(std::index_sequence<k...>) {
             reflectance(row.evaluate(x[k]..., x[n])).store(out + i);
         }(std::make_index_sequence<n>{});

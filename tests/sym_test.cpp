@@ -288,6 +288,14 @@ TEST(operations, are_counted_once_each_as_by_hand) {
     EXPECT_EQ(count_operations("schlick_internal").root, 1);
 }
 
+// Without n_i conductor_fast has no n_i cos_i, n_i sin2 and n_i n_i, and its c2 is cos2.
+TEST(operations, in_vacuum_have_no_index_outside) {
+    EXPECT_EQ(count_operations_in_vacuum("conductor_fast").cheap,
+              count_operations("conductor_fast").cheap - 4);
+    EXPECT_EQ(count_operations_in_vacuum("conductor_fast").division, 2);
+    EXPECT_EQ(count_operations_in_vacuum("schlick").cost(), count_operations("schlick").cost());
+}
+
 TEST(operations, are_those_of_the_text) {
     for (const model_row<double>& row : model_table<double>())
         for (const int width : {1, 3}) {

@@ -197,16 +197,29 @@ sym reflectance(const model_row<sym>& row, const std::vector<sym>& parameters, s
     return row.polarised() ? reflectance(b) : b.R_s;
 }
 
-operation_count count_operations(std::string_view model, int width) {
+namespace {
+
+operation_count count_operations_of(std::string_view model, int width, bool vacuum) {
     const model_row<sym>& row = find_model<sym>(model);
     recorded f;
     const recording scope(f.graph);
     std::vector<sym> parameters;
     for (const parameter& p : row.parameters)
-        parameters.push_back(f.graph.input(p.name, is_ambient(p) ? 1 : width));
+        parameters.push_back(vacuum && is_ambient(p) ? sym(1)
+                                                     : f.graph.input(p.name, is_ambient(p) ? 1 : width));
     f.results = {{"R", reflectance(row, parameters, f.graph.input(cosine.name)).node()}};
     simplify(f);
     return count_operations(f);
+}
+
+} // namespace
+
+operation_count count_operations(std::string_view model, int width) {
+    return count_operations_of(model, width, false);
+}
+
+operation_count count_operations_in_vacuum(std::string_view model) {
+    return count_operations_of(model, 1, true);
 }
 
 } // namespace fresnel

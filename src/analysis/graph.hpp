@@ -57,4 +57,7 @@ operation_count count_operations(const recorded& f);
 /// Those behind a model's unpolarised reflectance, simplified as its shader text is. Width 3: of the RGB function.
 operation_count count_operations(std::string_view model, int width = 1);
 
+/// The same where the medium outside is vacuum, n_i = 1.
+operation_count count_operations_in_vacuum(std::string_view model);
+
 } // namespace fresnel
