@@ -79,15 +79,19 @@ def write_language(language, names):
         (into / f"{name}.{extension}").write_text(text)
 
 
+def makers():
+    """What prints the texts, and when each of it was made: of this build, not of another one."""
+    files = [command(), build_folder() / "receivers_corpus", *sorted(Path(__file__).parent.glob("*.*"))]
+    return "".join(f"{file.resolve()} {file.stat().st_mtime_ns}\n" for file in files)
+
+
 def is_current():
-    newest = max(file.stat().st_mtime for file in
-                 [command(), build_folder() / "receivers_corpus", *Path(__file__).parent.glob("*")])
     stamp = receiver.cache() / "corpus" / "stamp"
-    return stamp.exists() and stamp.stat().st_mtime > newest
+    return stamp.exists() and stamp.read_text() == makers()
 
 
 def make(anew=False):
-    """Writes the texts of all languages, unless they are newer than what prints them."""
+    """Writes the texts of all languages, unless they are what this build printed."""
     for program in (command(), build_folder() / "receivers_corpus"):
         if not program.exists():
             raise SystemExit(f"receivers: '{program}': must be built first")
@@ -99,4 +103,4 @@ def make(anew=False):
         subprocess.run([build_folder() / "receivers_corpus", words, receiver.cache() / "corpus"], check=True)
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             list(pool.map(lambda language: write_language(language, names), LANGUAGES))
-        (receiver.cache() / "corpus" / "stamp").touch()
+        (receiver.cache() / "corpus" / "stamp").write_text(makers())
