@@ -357,8 +357,6 @@ TEST_F(command, nothing_or_too_much_is_refused) {
     expect_refused("eval conductor --wavelength 500", {"--wavelength 500", "--material"});
     expect_refused("eval schlick --csv - --wavelength 500", {"--csv", "leave"});
     expect_refused("eval schlick --csv - --json", {"--json", "--csv '-'"});
-    expect_refused("eval schlick --csv ''", {"--csv ''"});
-    expect_refused("eval schlick --csv - --out ''", {"--out ''"});
     expect_refused("eval schlick --cos-i 0:1:2.5", {"0:1:2.5", "whole"});
     expect_refused("eval dielectric --material gold", {"--material 'gold'", "k = 2.472", "conductor"});
     expect_refused("claims --json --markdown", {"--json", "--markdown"});
@@ -366,13 +364,49 @@ TEST_F(command, nothing_or_too_much_is_refused) {
     expect_refused("figures --list nosuch", {"nosuch", "--list"});
     expect_refused("figures --list --out x", {"--out 'x'", "--list"});
     expect_refused("shader schlick --fix f0=.1 --fix f0=.2", {"--fix 'f0=.2'", "already"});
-    expect_refused("shader schlick --name ''", {"--name", "''"});
     expect_refused("--verison", {"'--verison'", "did you mean '--version'"});
     expect_refused("-x", {"'-x'", "--help"});
     for (const char* law : {"disney", "unreal", "frostbite", "unity"})
         expect_refused(std::string("convert metalness --base .5 --ior 1.6 --law ") + law, {"--ior 1.6", law});
     expect_refused("convert metalness --f0 .5 --albedo 0 --ior 1.6 --law unity", {"--ior 1.6", "unity"});
     EXPECT_EQ(run("convert metalness --base .5 --ior 1.6").code, 0);
+}
+
+// It was taken for none: `eval conductor --material ''` was glass.
+TEST_F(command, an_empty_value_is_refused_by_its_option) {
+    for (const std::string start : {"models NAME",
+                                    "eval MODEL",
+                                    "eval conductor --material",
+                                    "eval schlick --f0",
+                                    "eval schlick --cos-i",
+                                    "eval schlick --csv",
+                                    "eval schlick --csv - --out",
+                                    "f0 NAME",
+                                    "f0 copper --space",
+                                    "materials --class",
+                                    "materials --kind",
+                                    "materials show NAME",
+                                    "compare copper --out",
+                                    "angles --material",
+                                    "figures wloka-1 --out",
+                                    "claims ID",
+                                    "convert metalness --base .5 --law",
+                                    "prove schlick --material",
+                                    "plot copper --fit",
+                                    "plot schlick --family",
+                                    "plot copper --title",
+                                    "plot copper --out",
+                                    "shader schlick --fix",
+                                    "lut schlick --out",
+                                    "lut schlick --format",
+                                    "conform a.glsl --as schlick --function",
+                                    "cost schlick --gpu",
+                                    "cost schlick --technique"}) {
+        const std::size_t last = start.rfind(' ');
+        const bool option = start[last + 1] == '-';
+        expect_refused(start.substr(0, option ? start.size() : last) + " ''",
+                       {"fresnel: " + start.substr(last + 1) + ": must not be ''"});
+    }
 }
 
 TEST_F(command, a_value_outside_its_range_is_refused_with_the_range) {
@@ -386,7 +420,6 @@ TEST_F(command, a_value_outside_its_range_is_refused_with_the_range) {
     expect_refused("eval schlick --f0 inf", {"f0 = inf", "[0, 1]"});
     expect_refused("eval schlick --f0 1.5", {"f0 = 1.5", "[0, 1]"});
     expect_refused("eval schlick --f0 shiny", {"f0 = 'shiny'", "number"});
-    expect_refused("eval schlick --cos-i ''", {"cos_i"});
     expect_refused("eval schlick --theta 0:90:1", {"0:90:1", "COUNT"});
     expect_refused("eval schlick --theta 0:90", {"0:90", "COUNT"});
     expect_refused("eval schlick --material copper --wavelength 0", {"wavelength = 0"});

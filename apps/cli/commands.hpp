@@ -80,9 +80,6 @@ double parse_number(std::string_view argument, std::string_view text);
 /// The same within the limits of a parameter, by its name.
 double parse_parameter(const parameter& p, std::string_view text);
 
-/// For CLI::Option::check: the complaint about an empty value, which would be taken for none.
-std::string refuse_empty(const std::string& value);
-
 /// An argument as it is typed in a shell: as it is, or in quotes.
 std::string shell_word(std::string_view text);
 

@@ -179,8 +179,6 @@ void evaluate_command(const options& given) {
         const auto print = given.json ? print_json_result : print_result;
         return print(model, chosen_parameters(given, model), chosen_angles(given));
     }
-    if (given.csv->empty()) throw bad_input("--csv '': is no file; - is standard input");
-    if (given.out && given.out->empty()) throw bad_input("--out '': is no file; - is standard output");
     if (!given.parameters.empty() || given.cos_i || given.theta || !given.material.empty() ||
         given.wavelength)
         throw bad_input(fmt::format(

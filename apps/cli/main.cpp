@@ -50,8 +50,6 @@ double parse_parameter(const parameter& p, std::string_view text) {
     return value;
 }
 
-std::string refuse_empty(const std::string& value) { return value.empty() ? "must not be ''" : ""; }
-
 std::string shell_word(std::string_view text) {
     constexpr std::string_view plain =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789%+,-./:=@_";
@@ -63,6 +61,14 @@ std::string shell_word(std::string_view text) {
 }
 
 namespace {
+
+// An empty value would be taken for none.
+void refuse_empty_values(CLI::App& app) {
+    for (CLI::Option* option : app.get_options())
+        option->check([](const std::string& value) { return value.empty() ? "must not be ''" : ""; });
+    for (CLI::App* command : app.get_subcommands({}))
+        refuse_empty_values(*command);
+}
 
 void build(CLI::App& app) {
     app.require_subcommand(1);
@@ -92,6 +98,7 @@ void build(CLI::App& app) {
     add_lut(app);
     add_conform(app);
     add_cost(app);
+    refuse_empty_values(app);
 }
 
 void check_option(const CLI::App& app, const std::string& given) {

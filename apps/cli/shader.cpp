@@ -214,27 +214,22 @@ void add_shader(CLI::App& app) {
         ->type_name("PARAM=VALUE")
         ->allow_extra_args(false);
     command->add_option("--material", given->material, "parameters fitted to that material, as constants")
-        ->type_name("NAME")
-        ->check(refuse_empty);
-    command->add_option("--name", given->name, "name of the function")->type_name("N")->check(refuse_empty);
+        ->type_name("NAME");
+    command->add_option("--name", given->name, "name of the function")->type_name("N");
     command
         ->add_option("--technique", given->technique,
                      "a complete vertex and fragment program of one MODEL: none, one-minus-cos, per-vertex, "
                      "per-pixel, lut, highlights or semitransparent")
-        ->type_name("T")
-        ->check(refuse_empty);
+        ->type_name("T");
     command->add_option("--stage", given->stage, "of a program that stage alone: vertex or fragment")
-        ->type_name("S")
-        ->check(refuse_empty);
-    command->add_option("--out", given->out, "write this file")->type_name("FILE")->check(refuse_empty);
+        ->type_name("S");
+    command->add_option("--out", given->out, "write this file")->type_name("FILE");
     command->add_flag("--all", given->all, "every model and the geometry around them");
     command->add_option("--write", given->write, "write every generated file under this folder")
-        ->type_name("DIR")
-        ->check(refuse_empty);
+        ->type_name("DIR");
     command
         ->add_option("--check", given->check, "compare this folder with what --write makes; 1 if they differ")
-        ->type_name("DIR")
-        ->check(refuse_empty);
+        ->type_name("DIR");
     add_colour_options(*command, given->colour);
     for (const char* folder : {"--write", "--check"})
         for (const char* other : {"MODEL", "--lang", "--fix", "--material", "--name", "--out", "--all",

@@ -104,17 +104,14 @@ void add_verify_options(CLI::App& command, verify_options& given) {
         .add_option("--rows", given.rows,
                     "with --verify: inputs of each function (default 270336 of one channel, 65536 of more)")
         ->type_name("N")
-        ->check(refuse_empty)
         ->needs(verify);
     command
         .add_option("--dump", given.dump,
                     "with --verify: write inputs, expected values and texts for other runners")
         ->type_name("DIR")
-        ->check(refuse_empty)
         ->needs(verify);
     command.add_option("--compare", given.compare, "with --verify: compare what another runner wrote there")
         ->type_name("DIR")
-        ->check(refuse_empty)
         ->needs(verify);
 }
 
