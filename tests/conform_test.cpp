@@ -89,6 +89,12 @@ protected:
                                            "    float m = 1.0 - u, m2 = m * m;\n"
                                            "    return f0 + (1.0 - f0) * m2 * m2 * m;\n"
                                            "}\n";
+
+    void expect_schlick(const std::string& file, const std::string& function) const {
+        const outcome result = run("conform " + file + " --function " + function + " --as schlick");
+        if (result.err.find("cannot be run here") != std::string::npos) return; // as its own test says
+        EXPECT_EQ(result.code, 0) << file << "\n" << result.out << result.err;
+    }
 };
 
 TEST_F(conform, report_has_the_promised_keys) {
@@ -154,6 +160,74 @@ TEST_F(conform, fresnel_text_conforms_to_itself) {
             EXPECT_EQ(result.code, 0) << result.out << result.err;
         }
 }
+
+// ---- whole files ------------------------------------------------------------------------------------------
+
+TEST_F(conform, a_byte_order_mark_is_no_part_of_the_text) {
+    const std::string mark = "\xEF\xBB\xBF";
+    const std::string hlsl_and_glsl = mark + schlick;
+    write("a.glsl", hlsl_and_glsl);
+    write("a.hlsl", hlsl_and_glsl);
+    write("a.wgsl", mark +
+                        "fn F(f0: f32, u: f32) -> f32 {\n    return f0 + (1.0 - f0) * pow(max(1.0 - u, 0.0), "
+                        "5.0);\n}\n");
+    for (const char* file : {"a.glsl", "a.hlsl", "a.wgsl"})
+        expect_schlick(file, "F");
+}
+
+TEST_F(conform, fresnel_s_own_programs_conform) {
+    for (const std::string language : {"glsl", "essl", "hlsl", "wgsl"}) {
+        write(language, run("shader schlick --technique per-pixel --stage fragment --lang " + language).out);
+        expect_schlick(language + " --lang " + (language == "essl" ? "glsl" : language),
+                       language == "wgsl" ? "schlick_rgb" : "schlick");
+    }
+}
+
+TEST_F(conform, whole_glsl_files_are_judged_by_their_function) {
+    write("a.frag",
+          std::string("#version 300 es\n"
+                      "#extension GL_OES_standard_derivatives : enable // of WebGL 1\n"
+                      "precision highp float;\n"
+                      "layout(location = 0) in vec3 normal;\nflat in int kind;\n"
+                      "in vertex { vec2 at; } from;\nuniform vec3 eye;\n"
+                      "layout(location = 0) out vec4 color;\n") +
+              schlick +
+              "vec3 kept(in vec3 v, out float w) { w = v.x; return v + normal; }\n"
+              "void main() {\n    if (kind > 0) discard;\n"
+              "    color = vec4(F(0.04, dot(normal, eye)) + from.at.x * dFdx(gl_FragCoord.x));\n}\n");
+    write("b.frag", std::string("varying vec3 normal;\n") + schlick +
+                        "void main() { gl_FragColor = vec4(F(0.04, normal.z)); }\n");
+    for (const char* file : {"a.frag", "b.frag"})
+        expect_schlick(file, "F");
+    write("bad.frag",
+          "#version 330\n\nin vec3 normal;\nfloat F(float f0, float u) {\n    return f0 + v;\n}\n");
+    expect_refused("conform bad.frag --function F --as schlick", {"fresnel: bad.frag:5: ", "'v' undeclared"});
+    write("missing.frag", std::string("#version 330\n\n#extension GL_NV_nothing : require\n") + schlick);
+    expect_refused("conform missing.frag --function F --as schlick",
+                   {"fresnel: missing.frag:3: ", "GL_NV_nothing"});
+}
+
+TEST_F(conform, whole_hlsl_and_wgsl_files_are_judged_by_their_function) {
+    write("a.hlsl", std::string("cbuffer frame : register(b0) { float3 eye; };\n"
+                                "Texture2D map : register(t1);\nSamplerState linear_map : register(s0);\n") +
+                        schlick +
+                        "float4 main(float3 n : NORMAL) : SV_Target {\n"
+                        "    clip(n.x);\n"
+                        "    return map.Sample(linear_map, n.xy) * F(0.04, dot(n, eye));\n}\n");
+    write("named.hlsl", std::string("float main(float f0, float u) {\n") +
+                            std::string(schlick).substr(std::string(schlick).find('\n') + 1));
+    write("a.wgsl",
+          "@group(0) @binding(0) var<uniform> eye: vec3<f32>;\n"
+          "@group(0) @binding(1) var map: texture_2d<f32>;\n"
+          "fn F(f0: f32, u: f32) -> f32 {\n    return f0 + (1.0 - f0) * pow(max(1.0 - u, 0.0), 5.0);\n}\n"
+          "@fragment fn main(@location(0) n: vec3<f32>) -> @location(0) vec4<f32> {\n"
+          "    return textureLoad(map, vec2<i32>(0, 0), 0) * F(0.04, dot(n, eye));\n}\n");
+    expect_schlick("a.hlsl", "F");
+    expect_schlick("named.hlsl", "main");
+    expect_schlick("a.wgsl", "F");
+}
+
+// ---- what is refused --------------------------------------------------------------------------------------
 
 TEST_F(conform, refuses_what_it_cannot_use) {
     write("a.glsl", schlick);

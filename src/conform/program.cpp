@@ -1,5 +1,7 @@
 #include "conform/program.hpp"
 
+#include "conform/embedding.hpp"
+
 #include "emit/language.hpp"
 #include "error.hpp"
 #include "figure/figure.hpp"
@@ -21,7 +23,7 @@ namespace {
 
 // Names of the buffers and of what main declares, which no text of a user's is likely to hold.
 constexpr std::string_view glsl_frame = R"(#version 430
-layout(local_size_x = 64) in;
+{extensions}layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer fresnel_in {{ float fresnel_inputs[]; }};
 layout(std430, binding = 1) writeonly buffer fresnel_out {{ float fresnel_outputs[]; }};
 #line 1
@@ -186,9 +188,11 @@ std::string compute_shader(std::string_view language, const program& p) {
     const std::string_view type =
         p.results == 4 ? "fresnel_boundary" : emit::find_language(language).type(p.results);
     const std::string_view frame = wgsl ? wgsl_frame : language == "hlsl" ? hlsl_frame : glsl_frame;
-    return fmt::format(fmt::runtime(frame), fmt::arg("text", p.text), fmt::arg("results", p.results),
-                       fmt::arg("loads", loads), fmt::arg("type", type), fmt::arg("call", p.call),
-                       fmt::arg("stores", stores));
+    const embedded theirs = embed(language, p.text);
+    return fmt::format(fmt::runtime(frame), fmt::arg("extensions", theirs.extensions),
+                       fmt::arg("text", theirs.text), fmt::arg("results", p.results),
+                       fmt::arg("loads", loads), fmt::arg("type", type),
+                       fmt::arg("call", without_main(p.call)), fmt::arg("stores", stores));
 }
 
 std::unique_ptr<shader_runner> open_runner(std::string_view language) {

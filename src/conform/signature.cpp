@@ -26,28 +26,6 @@ int width_of(std::string_view type) { return holds(scalars, type) ? 1 : holds(tr
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 bool is_space(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
 
-// The text with comments and preprocessor lines as spaces, every line where it was.
-std::string bare(std::string_view text) {
-    std::string result(text);
-    char inside = 0; // '/' a line comment, '*' a block comment, '#' a directive
-    bool fresh = true;
-    for (std::size_t i = 0; i < result.size(); ++i) {
-        const std::string_view two = text.substr(i, 2);
-        if (inside == 0 && (two == "//" || two == "/*")) inside = two[1];
-        if (inside == 0 && fresh && text[i] == '#') inside = '#';
-        if (text[i] == '\n') {
-            if ((inside == '/' || inside == '#') && (i == 0 || text[i - 1] != '\\')) inside = 0;
-            fresh = true;
-            continue;
-        }
-        if (!is_space(text[i])) fresh = false;
-        if (inside == 0) continue;
-        result[i] = ' ';
-        if (inside == '*' && two == "*/") result[++i] = ' ', inside = 0;
-    }
-    return result;
-}
-
 std::string trimmed(std::string_view text) {
     while (!text.empty() && is_space(text.front()))
         text.remove_prefix(1);
@@ -142,6 +120,27 @@ void for_each_definition(std::string_view language, const std::string& text, Fou
 
 } // namespace
 
+std::string bare_code(std::string_view text) {
+    std::string result(text);
+    char inside = 0; // '/' a line comment, '*' a block comment, '#' a directive
+    bool fresh = true;
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const std::string_view two = text.substr(i, 2);
+        if (inside == 0 && (two == "//" || two == "/*")) inside = two[1];
+        if (inside == 0 && fresh && text[i] == '#') inside = '#';
+        if (text[i] == '\n') {
+            if ((inside == '/' || inside == '#') && (i == 0 || text[i - 1] != '\\')) inside = 0;
+            fresh = true;
+            continue;
+        }
+        if (!is_space(text[i])) fresh = false;
+        if (inside == 0) continue;
+        result[i] = ' ';
+        if (inside == '*' && two == "*/") result[++i] = ' ', inside = 0;
+    }
+    return result;
+}
+
 std::string signature::text(std::string_view language, std::string_view name) const {
     const bool wgsl = language == "wgsl";
     std::vector<std::string> list;
@@ -153,7 +152,7 @@ std::string signature::text(std::string_view language, std::string_view name) co
 
 std::vector<signature> find_functions(std::string_view language, std::string_view text,
                                       std::string_view name) {
-    const std::string code = bare(text);
+    const std::string code = bare_code(text);
     std::vector<signature> all;
     for_each_definition(
         language, code,
@@ -172,7 +171,7 @@ std::vector<signature> find_functions(std::string_view language, std::string_vie
 
 std::vector<std::string> function_names(std::string_view language, std::string_view text) {
     std::vector<std::string> names;
-    for_each_definition(language, bare(text),
+    for_each_definition(language, bare_code(text),
                         [&](const std::string& found, const std::string&, std::string_view, std::size_t) {
                             if (!holds(names, found)) names.push_back(found);
                         });

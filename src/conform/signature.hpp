@@ -6,6 +6,9 @@
 
 namespace fresnel::conform {
 
+/// The text with comments and preprocessor lines as spaces, every character else where it was.
+std::string bare_code(std::string_view text);
+
 /// A function as somebody's text declares it.
 struct signature {
     struct argument {
