@@ -227,6 +227,20 @@ TEST_F(conform, whole_hlsl_and_wgsl_files_are_judged_by_their_function) {
     expect_schlick("a.wgsl", "F");
 }
 
+TEST_F(conform, a_function_that_gives_only_NaN_has_no_errors_and_no_range) {
+    write("a.glsl", "float F(float f0, float u) { return sqrt(-1.0 - f0 - u * u); }\n");
+    const outcome result = run("conform a.glsl --function F --as schlick --exact --json");
+    EXPECT_EQ(result.code, 1);
+    const nlohmann::json report = nlohmann::json::parse(result.out);
+    for (const char* key : {"max_error", "max_relative_error", "rms_error", "lowest", "highest",
+                            "exact_max_error", "exact_rms_error"})
+        EXPECT_TRUE(report.at(key).is_null()) << key << " " << report[key];
+    EXPECT_EQ(report["nan"], report["inputs"]);
+    const std::string text = run("conform a.glsl --function F --as schlick").out;
+    EXPECT_NE(text.find("largest error   none (none of the value), rms none"), std::string::npos) << text;
+    EXPECT_NE(text.find("values          [none, none]"), std::string::npos) << text;
+}
+
 // ---- what is refused --------------------------------------------------------------------------------------
 
 TEST_F(conform, refuses_what_it_cannot_use) {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <optional>
 
 namespace fresnel::cli {
 
@@ -69,6 +70,15 @@ void complete(options& given) {
     }
 }
 
+nlohmann::json or_null(const std::optional<double>& value) {
+    return value ? nlohmann::json(*value) : nlohmann::json();
+}
+
+// In so many digits, or "none".
+std::string in_digits(const std::optional<double>& value, int digits) {
+    return value ? fmt::format("{:.{}g}", *value, digits) : "none";
+}
+
 nlohmann::json described(const conform::conform_request& request, const conform::conformance& found) {
     nlohmann::json failures = nlohmann::json::array(), jumps = failures, bound = nlohmann::json::object();
     for (const conform::failed_input& f : found.first_failures)
@@ -90,23 +100,23 @@ nlohmann::json described(const conform::conform_request& request, const conform:
                           {"fixed", object(found.fixed)},
                           {"inputs", found.inputs},
                           {"tolerance", request.tolerance},
-                          {"max_error", found.max_error},
-                          {"max_relative_error", found.max_relative_error},
-                          {"rms_error", found.rms_error},
+                          {"max_error", or_null(found.max_error)},
+                          {"max_relative_error", or_null(found.max_relative_error)},
+                          {"rms_error", or_null(found.rms_error)},
                           {"nan", found.nan},
                           {"negative", found.negative},
                           {"above_one", found.above_one},
                           {"beyond_nan", found.beyond_nan},
                           {"beyond_range", found.beyond_range},
-                          {"lowest", found.lowest},
-                          {"highest", found.highest},
+                          {"lowest", or_null(found.lowest)},
+                          {"highest", or_null(found.highest)},
                           {"discontinuities", jumps},
                           {"first_failures", failures},
                           {"findings", found.findings},
                           {"conforms", found.conforms()}};
-    if (found.exact_max_error) {
-        all["exact_max_error"] = *found.exact_max_error;
-        all["exact_rms_error"] = *found.exact_rms_error;
+    if (request.exact) {
+        all["exact_max_error"] = or_null(found.exact_max_error);
+        all["exact_rms_error"] = or_null(found.exact_rms_error);
     }
     return all;
 }
@@ -132,15 +142,17 @@ void print_report(const conform::conform_request& request, const conform::confor
         fmt::print("{}{} = {}", i == 0 ? "" : ", ", found.bound[i].first, found.bound[i].second);
     if (!found.fixed.empty()) fmt::print("; {}", listed(found.fixed));
     fmt::print("\non {}\n\n", found.device);
-    fmt::print("inputs          {}\nlargest error   {:.3g} ({:.3g} of the value), rms {:.3g}\n", found.inputs,
-               found.max_error, found.max_relative_error, found.rms_error);
-    if (found.exact_max_error)
-        fmt::print("against exact   {:.3g}, rms {:.3g}\n", *found.exact_max_error, *found.exact_rms_error);
+    fmt::print("inputs          {}\nlargest error   {} ({} of the value), rms {}\n", found.inputs,
+               in_digits(found.max_error, 3), in_digits(found.max_relative_error, 3),
+               in_digits(found.rms_error, 3));
+    if (request.exact)
+        fmt::print("against exact   {}, rms {}\n", in_digits(found.exact_max_error, 3),
+                   in_digits(found.exact_rms_error, 3));
     fmt::print("NaN             {}, and {} just outside of [0, 1]\nnegative        {}\nabove one       "
                "{}\nvalues          "
-               "[{:.9g}, {:.9g}]\njumps           {}\n",
-               found.nan, found.beyond_nan, found.negative, found.above_one, found.lowest, found.highest,
-               found.discontinuities.size());
+               "[{}, {}]\njumps           {}\n",
+               found.nan, found.beyond_nan, found.negative, found.above_one, in_digits(found.lowest, 9),
+               in_digits(found.highest, 9), found.discontinuities.size());
     for (const conform::failed_input& f : found.first_failures)
         fmt::print("  {}: gives {}, must be {:.9g}: {}\n", listed(f.inputs), listed(f.got),
                    fmt::join(f.expected, ", "), f.why);

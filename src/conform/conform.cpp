@@ -57,6 +57,10 @@ std::vector<std::pair<std::string, double>> named(const binding& bound, const sa
     return all;
 }
 
+void raise(std::optional<double>& largest, double value) {
+    largest = std::max(largest.value_or(value), value);
+}
+
 /// Looks at every value, in [0, 1] of cos_i.
 class judge {
 public:
@@ -80,24 +84,22 @@ public:
     }
 
     void finish() {
-        const auto rms = [](double sum, std::size_t n) {
-            return n == 0 ? 0 : std::sqrt(sum / static_cast<double>(n));
-        };
-        found_.rms_error = rms(squares_, values_);
-        if (exact_) found_.exact_rms_error = rms(exact_squares_, values_);
+        const auto rms = [this](double sum) { return std::sqrt(sum / static_cast<double>(values_)); };
+        if (values_ > 0) found_.rms_error = rms(squares_);
+        if (values_ > 0 && exact_) found_.exact_rms_error = rms(exact_squares_);
         if (too_large_ > 0)
             found_.findings.push_back(fmt::format("{} values are off by more than {}, at most by {:.3g}",
-                                                  too_large_, wanted_.tolerance, found_.max_error));
+                                                  too_large_, wanted_.tolerance, *found_.max_error));
         if (digits_ > 0)
             found_.findings.push_back(fmt::format("{} values lose their digits: relative error up to {:.3g}",
-                                                  digits_, found_.max_relative_error));
+                                                  digits_, *found_.max_relative_error));
         if (found_.nan > 0) found_.findings.push_back(fmt::format("{} values are NaN", found_.nan));
-        if (found_.lowest < -1e-12)
+        if (found_.lowest.value_or(0) < -1e-12)
             found_.findings.push_back(
-                fmt::format("{} values are negative, down to {:.3g}", found_.negative, found_.lowest));
-        if (found_.highest > 1 + 1e-6)
+                fmt::format("{} values are negative, down to {:.3g}", found_.negative, *found_.lowest));
+        if (found_.highest.value_or(0) > 1 + 1e-6)
             found_.findings.push_back(
-                fmt::format("{} values are above 1, up to {:.9g}", found_.above_one, found_.highest));
+                fmt::format("{} values are above 1, up to {:.9g}", found_.above_one, *found_.highest));
     }
 
 private:
@@ -125,7 +127,7 @@ private:
         const double error = std::abs(static_cast<double>(got) -
                                       exact_->evaluate(index.data(), bound_.angle(s)).reflectance());
         if (std::isnan(error)) return;
-        found_.exact_max_error = std::max(found_.exact_max_error.value_or(0), error);
+        raise(found_.exact_max_error, error);
         exact_squares_ += error * error;
     }
 
@@ -136,12 +138,11 @@ private:
             return "NaN";
         }
         const auto x = static_cast<double>(got);
-        found_.lowest = std::min(found_.lowest, x), found_.highest = std::max(found_.highest, x);
+        found_.lowest = std::min(found_.lowest.value_or(x), x), raise(found_.highest, x);
         const double error = std::abs(x - expected);
         squares_ += error * error, ++values_;
-        found_.max_error = std::max(found_.max_error, error);
-        if (expected > 1e-13)
-            found_.max_relative_error = std::max(found_.max_relative_error, error / expected);
+        raise(found_.max_error, error);
+        if (expected > 1e-13) raise(found_.max_relative_error, error / expected);
         found_.negative += x < 0 ? 1 : 0, found_.above_one += x > 1 ? 1 : 0;
         if (error > wanted_.tolerance && error > wanted_.tolerance + spread(s, c)) {
             ++too_large_;

@@ -47,13 +47,13 @@ struct conformance {
     std::vector<std::pair<std::string, std::string>> bound; ///< argument and what it is given
     std::vector<std::pair<std::string, double>> fixed;      ///< parameters that were not varied
     std::size_t inputs = 0;
-    double max_error = 0, rms_error = 0; ///< absolute
-    double max_relative_error = 0;       ///< where the model is above 1e-13
+    std::optional<double> max_error, rms_error; ///< absolute; without a value where every result is NaN
+    std::optional<double> max_relative_error;   ///< where the model is above 1e-13
     std::optional<double> exact_max_error, exact_rms_error;
     std::size_t nan = 0, negative = 0, above_one = 0;
     std::size_t beyond_nan = 0,
-                beyond_range = 0;   ///< for cosines just outside [0, 1] NaN, or not a reflectance
-    double lowest = 1, highest = 0; ///< values
+                beyond_range = 0;          ///< for cosines just outside [0, 1] NaN, or not a reflectance
+    std::optional<double> lowest, highest; ///< values
     std::vector<discontinuity> discontinuities;
     std::vector<failed_input> first_failures;
     std::vector<std::string> findings; ///< what is wrong, a sentence each
