@@ -88,6 +88,14 @@ TEST_F(command, eval_sweeps_and_takes_lists) {
     EXPECT_EQ(json("eval one_minus_cos --json")["parameters"], nlohmann::json::object());
 }
 
+// Rounding left 90.00000000000001.
+TEST_F(command, a_sweep_stays_between_its_ends) {
+    for (const char* sweep : {"90:90:8", "0:90:1000", "90:0:997"})
+        EXPECT_EQ(run(std::string("eval schlick --theta ") + sweep).code, 0) << sweep;
+    EXPECT_EQ(run("plot dielectric --family n_t=1000:1000:8").code, 0);
+    expect_refused("eval schlick --theta 90.1:90.1:8", {"theta = 90.1", "[0, 90]"});
+}
+
 TEST_F(command, eval_takes_n_k_and_f0_from_a_material_of_any_kind) {
     const nlohmann::json copper = json("eval conductor --material copper --wavelength 650 --cos-i 1 --json");
     EXPECT_GT(copper["results"][0]["R"].get<double>(), 0.9);

@@ -48,7 +48,8 @@ std::vector<double> parse_list(std::string_view argument, std::string_view text)
     const auto count = static_cast<std::size_t>(range[2]);
     for (std::size_t i = 0; i < count; ++i) {
         const double t = static_cast<double>(i) / static_cast<double>(count - 1);
-        values.push_back(range[0] * (1 - t) + range[1] * t);
+        const auto [least, most] = std::minmax(range[0], range[1]);
+        values.push_back(std::clamp(range[0] * (1 - t) + range[1] * t, least, most)); // rounding stays inside
     }
     return values;
 }
