@@ -548,9 +548,10 @@ TEST_F(command, a_bad_csv_row_is_refused_by_line_and_column_and_leaves_no_file) 
         expect_refused("eval conductor --csv rows.csv --out results.csv", pieces);
         expect_refused("eval conductor --csv rows.csv --type 50 --out results.csv", pieces);
     };
-    refuse("n_t,k_t,cos_i\n1.5,0,1\n1.5,0\n", {"line 3", "2 columns", "3"});
-    refuse("n_t,k_t,cos_i\n1.5,0,1,7\n", {"line 2", "4 columns"});
-    refuse("n_t,k_t,cos_i\n1.5,0,1\n\n", {"line 3"});
+    refuse("n_t,k_t,cos_i\n1.5,0,1\n1.5,0\n",
+           {"line 3, column 3 (cos_i): is missing", "the header has 3 columns"});
+    refuse("n_t,k_t,cos_i\n1.5,0,1,7,8\n", {"line 2, column 4: '7' is too much", "the header has 3 columns"});
+    refuse("n_t,k_t,cos_i\n1.5,0,1\n\n", {"line 3: is blank; leave it out"});
     refuse("n_t,k_t,cos_i\n1.5,0,1.5\n", {"line 2, column 3 (cos_i)", "1.5", "[0, 1]"});
     refuse("n_t,k_t,cos_i\n0,0,1\n", {"line 2, column 1 (n_t)", "[0.001, 1000]"});
     refuse("n_t,k_t,cos_i\n1.5,-1,1\n", {"line 2, column 2 (k_t)", "-1"});

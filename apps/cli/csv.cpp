@@ -208,12 +208,24 @@ layout read_header(std::string_view line, const model_row<T>& model) {
     return header;
 }
 
+void check_count(const std::vector<std::string_view>& cells, const layout& header, std::size_t line) {
+    const std::size_t count = header.wanted_of_column.size();
+    if (cells.size() == 1 && cells[0].empty())
+        throw bad_input(fmt::format("line {}: is blank; leave it out", line));
+    if (cells.size() < count) {
+        const auto missing = static_cast<std::size_t>(header.wanted_of_column[cells.size()]);
+        throw bad_input(fmt::format("line {}, column {} ({}): is missing; the header has {} columns", line,
+                                    cells.size() + 1, header.wanted[missing].name, count));
+    }
+    if (cells.size() > count)
+        throw bad_input(fmt::format("line {}, column {}: '{}' is too much; the header has {} column{}", line,
+                                    count + 1, cells[count], count, count == 1 ? "" : "s"));
+}
+
 template <class T>
 void read_row(const std::vector<std::string_view>& cells, const layout& header, const limits<T>& allowed,
               std::size_t line, std::vector<T>& values) {
-    if (cells.size() != header.wanted_of_column.size())
-        throw bad_input(fmt::format("line {}: has {} columns, the header {}", line, cells.size(),
-                                    header.wanted_of_column.size()));
+    check_count(cells, header, line);
     for (std::size_t column = 0; column < cells.size(); ++column) {
         const auto index = static_cast<std::size_t>(header.wanted_of_column[column]);
         const parameter& p = header.wanted[index];
