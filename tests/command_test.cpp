@@ -491,6 +491,21 @@ TEST_F(command, a_table_beyond_every_index_is_refused_by_line_and_column) {
     expect_refused("angles --material high.csv", {"n_t = 2000", "[0.001, 1000]"});
 }
 
+// They gave an average of -1e17, and NaN.
+TEST_F(command, an_index_of_nothing_is_refused_wherever_it_comes_from) {
+    const std::string page = "DATA:\n  - type: ";
+    write("negative.yml", page + "tabulated n\n    data: |\n      0.4 -1.5\n      0.7 -1.5\n");
+    write("zero.yml", page + "tabulated nk\n    data: |\n      0.4 0 0\n      0.7 0 0\n");
+    write("formula.yml", page + "formula 5\n    wavelength_range: 0.3 0.9\n    coefficients: -0.5\n");
+    write("metal.yml", page + "tabulated nk\n    data: |\n      0.4 0 2\n      0.7 0 3\n");
+    for (const char* with : {"f0 ", "compare ", "angles --material ", "eval conductor --material "}) {
+        expect_refused(std::string(with) + "negative.yml", {"'negative': n = -1.5 at", "in [0, 10000]"});
+        expect_refused(std::string(with) + "zero.yml", {"'zero': n and k are both 0 at", "above 0"});
+        expect_refused(std::string(with) + "formula.yml", {"'formula': n = -0.5 at", "in [0, 10000]"});
+    }
+    EXPECT_EQ(run("f0 metal.yml").code, 0);
+}
+
 TEST_F(command, a_table_that_is_no_utf_8_is_named) {
     write("wide.csv", std::string("\xff\xfe"
                                   "f\0"

@@ -18,12 +18,16 @@ namespace fresnel {
 
 optical_index used_index(const material& substance, double wavelength_nm) {
     const optical_index index = index_at(substance, wavelength_nm);
-    if (std::abs(index.n) <= largest_index && std::isfinite(index.k)) return index;
-    if (std::isfinite(index.n))
-        throw bad_input(fmt::format("material '{0}': n = {1} at {2} nm: must be in [-{3}, {3}]",
-                                    substance.name, index.n, wavelength_nm, largest_index));
-    throw bad_input(fmt::format("material '{}': has no index at {} nm, where its formula has a pole",
-                                substance.name, wavelength_nm));
+    if (!std::isfinite(index.n) || !std::isfinite(index.k))
+        throw bad_input(fmt::format("material '{}': has no index at {} nm, where its formula has a pole",
+                                    substance.name, wavelength_nm));
+    if (index.n < 0 || index.n > largest_index)
+        throw bad_input(fmt::format("material '{}': n = {} at {} nm: must be in [0, {}]", substance.name,
+                                    index.n, wavelength_nm, largest_index));
+    if (index.n == 0 && index.k == 0)
+        throw bad_input(fmt::format("material '{}': n and k are both 0 at {} nm; one must be above 0",
+                                    substance.name, wavelength_nm));
+    return index;
 }
 
 namespace {
