@@ -123,6 +123,27 @@ TEST_F(command, eval_takes_r_and_g_of_a_material_that_give_its_reflectance) {
     expect_refused("eval gulbrandsen --material thin.csv", {"n = 0.3, k = 0.2", "g"});
 }
 
+TEST_F(command, eval_fits_to_a_material_what_no_index_says) {
+    const auto reflectances = [&](const std::string& model) {
+        std::vector<double> all;
+        const nlohmann::json report = json("eval " + model + " --theta 0:90:91 --json");
+        for (const nlohmann::json& one : report["results"])
+            all.push_back(one["R"]);
+        return all;
+    };
+    const std::vector<double> exact = reflectances("conductor --material copper");
+    ASSERT_EQ(exact.size(), 91u);
+    for (const std::string model :
+         {"bias_scale_power", "lazanyi", "schlick_power", "hoffman", "schlick_f90"}) {
+        const std::vector<double> near = reflectances(model + " --material copper");
+        for (std::size_t i = 0; i < exact.size(); ++i)
+            EXPECT_NEAR(near[i], exact[i], model == "schlick_f90" ? 0.05 : 0.02) << model << " " << i;
+    }
+    const nlohmann::json given = json("eval hoffman --material copper --power 3 --json")["parameters"];
+    EXPECT_EQ(given["power"], 3);
+    EXPECT_EQ(given["f0"], json("eval schlick --material copper --json")["parameters"]["f0"]);
+}
+
 TEST_F(command, a_negative_zero_is_zero) {
     EXPECT_EQ(run("eval dielectric --cos-i -0 --json").out, run("eval dielectric --cos-i 0 --json").out);
     EXPECT_EQ(run("eval one_minus_cos --csv -", "printf 'cos_i\\n-0\\n' | ").out, "cos_i,R\n-0,1\n");

@@ -72,6 +72,12 @@ double from_index(const optical_index& index, const parameter& p) {
     return p.default_value;
 }
 
+// No index says these: they are those that come closest to its reflectance at every angle.
+bool is_fitted(const parameter& p) {
+    constexpr std::array names = {"f90", "power", "a", "alpha", "bias", "scale"};
+    return std::ranges::find(names, p.name) != names.end();
+}
+
 double chosen_wavelength(const options& given) {
     if (!given.wavelength) return 550;
     if (given.material.empty())
@@ -109,13 +115,18 @@ std::vector<double> chosen_parameters(const options& given, const model_row<doub
         index = used_index(load_material(given.material), nm);
         require_no_absorption(*index, given, model);
     }
-    std::vector<double> values;
-    for (const parameter& p : model.parameters) {
+    std::vector<double> values, fitted;
+    if (index && std::ranges::any_of(model.parameters, is_fitted))
+        fitted = fit(model.name, channel_of(*index));
+    for (std::size_t i = 0; i < model.parameters.size(); ++i) {
+        const parameter& p = model.parameters[i];
         const auto found = given.parameters.find(std::string(p.name));
         if (found != given.parameters.end())
             values.push_back(parse_number(p.name, found->second));
+        else if (index)
+            values.push_back(is_fitted(p) ? fitted[i] : from_index(*index, p));
         else
-            values.push_back(index ? from_index(*index, p) : p.default_value);
+            values.push_back(p.default_value);
         check_range(p, values.back());
     }
     return values;
@@ -206,7 +217,10 @@ void add_eval(CLI::App& app) {
         ->type_name("LIST");
     command->add_option("--theta", given->theta, "angles in degrees, in the same form (default 0:90:10)")
         ->type_name("LIST");
-    command->add_option("--material", given->material, "take n, k, f0, f82, tint, r and g from this material")
+    command
+        ->add_option("--material", given->material,
+                     "take n, k, f0, f82, tint, r and g from this material (f90, power, a, alpha, bias and "
+                     "scale are fitted to it)")
         ->type_name("NAME");
     command->add_option("--wavelength", given->wavelength, "of the material, in nm (default 550)")
         ->type_name("NM");
