@@ -282,6 +282,8 @@ TEST_F(prove_command, prints_its_keys) {
     EXPECT_TRUE(all[1]["relative"].is_null());
     EXPECT_TRUE(all[1]["rounding_bound"].is_null());
     expect_refused("prove schlik", {"schlik", "schlick"});
+    EXPECT_EQ(json("prove schlick schlick --json").size(), 1u);
+    EXPECT_EQ(json("prove schlick --material gold --material gold --json")[0]["materials"].size(), 3u);
 }
 
 TEST_F(prove_command, certifies_a_material_of_the_users_choice) {

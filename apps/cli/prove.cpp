@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <unistd.h>
 
@@ -66,18 +67,25 @@ void print(const certificate& c) {
                    fmt::format("{:.3g}", c.absolute.hi), "–", rounding);
 }
 
+std::vector<std::string> each_once(const std::vector<std::string>& names) {
+    std::vector<std::string> once;
+    for (const std::string& name : names)
+        if (std::ranges::find(once, name) == once.end()) once.push_back(name);
+    return once;
+}
+
 std::vector<certificate> certify(const options& given) {
     for (const std::string& name : given.models)
         find_model<double>(name);
     if (given.models.empty() && isatty(STDERR_FILENO) != 0) say("prove: every model, about ten seconds\n");
     if (given.models.empty() && given.materials.empty()) return prove_all();
     std::vector<material> materials;
-    for (const std::string& name : given.materials)
+    for (const std::string& name : each_once(given.materials))
         materials.push_back(load_material(name));
     std::vector<certificate> all;
     for (const model_row<double>& row : model_table<double>())
         if (given.models.empty() && can_fit(row.name)) all.push_back(prove(row.name, materials));
-    for (const std::string& name : given.models)
+    for (const std::string& name : each_once(given.models))
         all.push_back(materials.empty() ? prove(name) : prove(name, materials));
     return all;
 }
