@@ -86,6 +86,21 @@ TEST(compare, a_dielectric_is_exact_with_an_index_per_channel) {
     }
 }
 
+TEST(compare, finds_the_largest_error_between_the_critical_angles_of_a_spectrum) {
+    const material& water = *find_material("water");
+    const comparison c = compare(water, color_space::srgb, 1.5);
+    const model_fit& m = *c.find("dielectric");
+    for (double theta = 61; theta < 64; theta += 0.007) {
+        const rgb exact = colour_at(water, color_space::srgb, 1.5, cosine_of_degrees(theta));
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double model = evaluate("dielectric", m.values[i], {cosine_of_degrees(theta)})[0];
+            EXPECT_LE(std::abs(model - exact[i]), m.error.max[i] + 2e-3) << theta << " " << i;
+        }
+    }
+    EXPECT_NEAR(m.error.max[0], 0.184, 2e-3);
+    EXPECT_NEAR(m.error.delta_e_max, 8.1, 0.1);
+}
+
 TEST(compare, a_medium_against_itself_reflects_nothing) {
     const comparison result = compare(*find_material("vacuum"), color_space::srgb, 1);
     EXPECT_EQ(result.surface, surface_class::matched);

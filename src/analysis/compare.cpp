@@ -6,6 +6,8 @@
 
 #include "materials/observer.hpp"
 
+#include <fresnel/geometry.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,6 +28,23 @@ double cosine_integral(const std::vector<double>& cos_i, const std::vector<doubl
 
 } // namespace
 
+namespace {
+
+// Raises the maxima to those over one more curve.
+void raise_maxima(curve_error& error, const std::vector<rgb>& model, const rgb_curve& exact) {
+    for (std::size_t a = 0; a < model.size(); ++a) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double difference = std::abs(model[a][i] - exact.value[a][i]);
+            if (difference > error.max[i]) error.max[i] = difference, error.max_theta[i] = exact.theta_deg[a];
+        }
+        const double difference = delta_e_2000(exact.value[a], model[a], exact.space);
+        if (difference > error.delta_e_max)
+            error.delta_e_max = difference, error.delta_e_theta = exact.theta_deg[a];
+    }
+}
+
+} // namespace
+
 curve_error error_of(const std::vector<rgb>& model, const rgb_curve& exact) {
     curve_error error{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -34,17 +53,11 @@ curve_error error_of(const std::vector<rgb>& model, const rgb_curve& exact) {
         for (std::size_t a = 0; a < model.size(); ++a) {
             difference.push_back(std::abs(model[a][i] - exact.value[a][i]));
             squares += square(difference.back());
-            if (difference.back() > error.max[i])
-                error.max[i] = difference.back(), error.max_theta[i] = exact.theta_deg[a];
         }
         error.rms[i] = std::sqrt(squares / static_cast<double>(model.size()));
         error.cosine[i] = cosine_integral(exact.cos_i, difference);
     }
-    for (std::size_t a = 0; a < model.size(); ++a) {
-        const double difference = delta_e_2000(exact.value[a], model[a], exact.space);
-        if (difference > error.delta_e_max)
-            error.delta_e_max = difference, error.delta_e_theta = exact.theta_deg[a];
-    }
+    raise_maxima(error, model, exact);
     return error;
 }
 
@@ -88,17 +101,44 @@ fitted_f82 fit_f82_of(std::string_view name, const std::array<channel, 3>& chann
     return result;
 }
 
-model_fit fit_model(std::string_view name, const std::array<channel, 3>& channels,
-                    const std::array<edge_tint, 3>& tints, const rgb_curve& exact) {
-    model_fit result{std::string(name), {}, std::vector<rgb>(exact.cos_i.size()), {}, {}, 0, 0};
-    const rgb white = white_of(exact.space);
-    for (std::size_t i = 0; i < 3; ++i) {
-        result.values[i] = fit(name, channels[i], tints[i]);
-        const std::vector<double> R = evaluate(name, result.values[i], exact.cos_i);
-        for (std::size_t a = 0; a < R.size(); ++a)
-            result.curve[a][i] = white[i] * R[a];
+// The exact curve around the critical angles of the spectrum, between which it rises to 1: finer than elsewhere, for there
+// a model is furthest off between two quarters of a degree. Empty where there are none.
+rgb_curve near_critical_angles(const material& substance, color_space space, double ambient) {
+    double lowest = ambient, highest = 0;
+    for (int nm = 400; nm <= 700; nm += 5) {
+        const double n = index_at(substance, nm).n;
+        lowest = std::min(lowest, n), highest = std::max(highest, std::min(n, ambient));
     }
+    rgb_curve fine{space, {}, {}, {}};
+    if (lowest == ambient) return fine;
+    const double margin = 0.5, from = degrees_of_cosine(critical_cosine(lowest / ambient)) - margin,
+                 to = std::min(degrees_of_cosine(critical_cosine(highest / ambient)) + margin, 90.0),
+                 step = std::max(0.0025, (to - from) / 4000);
+    for (double theta = std::max(from, 0.0); theta <= to; theta += step)
+        fine.theta_deg.push_back(theta), fine.cos_i.push_back(cosine_of_degrees(theta));
+    fine.value = exact_colours(substance, space, ambient, fine.cos_i);
+    return fine;
+}
+
+std::vector<rgb> colours_of(const model_fit& m, const rgb_curve& at) {
+    std::vector<rgb> colours(at.cos_i.size());
+    const rgb white = white_of(at.space);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::vector<double> R = evaluate(m.name, m.values[i], at.cos_i);
+        for (std::size_t a = 0; a < R.size(); ++a)
+            colours[a][i] = white[i] * R[a];
+    }
+    return colours;
+}
+
+model_fit fit_model(std::string_view name, const std::array<channel, 3>& channels,
+                    const std::array<edge_tint, 3>& tints, const rgb_curve& exact, const rgb_curve& fine) {
+    model_fit result{std::string(name), {}, {}, {}, {}, 0, 0};
+    for (std::size_t i = 0; i < 3; ++i)
+        result.values[i] = fit(name, channels[i], tints[i]);
+    result.curve = colours_of(result, exact);
     result.error = error_of(result.curve, exact);
+    raise_maxima(result.error, colours_of(result, fine), fine);
     if (name == "f82" || name == "powers_4_12" || name == "powers_2_8_16")
         result.least_squares = fit_f82_of(name, channels);
     result.cost = count_operations(name, 3).cost();
@@ -170,8 +210,11 @@ comparison compare(const material& substance, color_space space, double ambient)
             channel_of(result.exact, result.colour.f0, result.colour.f82, ambient, i, white_of(space));
         tints[i] = fit_gulbrandsen(channels[i]);
     }
+    const rgb_curve fine = result.surface == surface_class::internal
+                               ? near_critical_angles(substance, space, ambient)
+                               : rgb_curve{space, {}, {}, {}};
     for (const std::string_view name : models_for(result.surface))
-        result.models.push_back(fit_model(name, channels, tints, result.exact));
+        result.models.push_back(fit_model(name, channels, tints, result.exact, fine));
     rank(result.models);
     result.recommended = recommend(result.models);
     return result;
