@@ -84,6 +84,16 @@ async function checkPatched(tab, functions, lit) {
         `${Math.min(...all).toFixed(3)} to ${Math.max(...all).toFixed(3)}`);
 }
 
+// Another model, the first one again, and other values of it.
+async function checkChanged(tab) {
+    const f0 = (...rgb) => ({ model: 'schlick', values: { f0: rgb } });
+    const { differences, hooked } = await tab.evaluate((jobs) => window.check.changed(jobs),
+        [f0(1, 0.78, 0.34), { model: 'dielectric', values: { n_t: 1.5 } }, f0(1, 0.78, 0.34), f0(0.95, 0.64, 0.54)]);
+    if (!differences.every((x) => x === 0)) failures.push(`setFresnel, called again: ${differences}`);
+    if (hooked < 2) failures.push(`setFresnel, called again: a hook of the material's own is called ${hooked} times`);
+    console.log(`threejs: setFresnel, called again: ${differences.length} times, the same pixels`);
+}
+
 async function checkRefusals(tab) {
     const said = await tab.evaluate(() => window.check.refusals());
     for (const [what, part] of Object.entries({ model: "no model 'slick'", parameter: "no parameter 'f1'",
@@ -114,6 +124,7 @@ async function main(browser, address) {
     await checkGlsl(tab, models, functions);
     await checkPatched(tab, functions, true);
     await checkPatched(tab, functions, false);
+    await checkChanged(tab);
     await checkRefusals(tab);
     await checkNodes(tab, models, functions, false);
     await checkNodes(tab, models, functions, true);

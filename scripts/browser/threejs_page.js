@@ -36,11 +36,11 @@ ${calls.map((call, i) => `    if (row == ${i}) F = ${call};`).join('\n')}
 }
 
 // A sphere of a metal with that model's Fresnel term, under a light from several sides one after another, or in a white
-// environment: all pixels of all pictures. A light's angle of incidence is half of its angle with the view.
-async function sphere(THREE, setFresnel, model, values, lit) {
+// environment: all pixels of all pictures; `used` is a material that is kept. A light's angle of incidence is half of its angle with the view.
+async function sphere(THREE, setFresnel, model, values, lit, used) {
     const size = 48, scene = new THREE.Scene(), camera = new THREE.PerspectiveCamera(30, 1, 0.1, 100);
     camera.position.z = 4.2;
-    const material = new THREE.MeshStandardMaterial({ metalness: 1, roughness: lit ? 0.9 : 0, color: 0xffffff });
+    const material = used ?? new THREE.MeshStandardMaterial({ metalness: 1, roughness: lit ? 0.9 : 0, color: 0xffffff });
     setFresnel(material, model, values);
     scene.add(new THREE.Mesh(new THREE.SphereGeometry(1, 96, 64), material));
     const light = new THREE.DirectionalLight(0xffffff, 3);
@@ -56,7 +56,8 @@ async function sphere(THREE, setFresnel, model, values, lit) {
         renderer.render(scene, camera);
         all.push(...await floats(renderer, target, size, size));
     }
-    target.dispose(), material.dispose();
+    target.dispose();
+    if (!used) material.dispose();
     return all;
 }
 
@@ -83,6 +84,23 @@ export async function patched(jobs, lit) {
         all.push(points);
     }
     return all;
+}
+
+/// A material whose term is changed while it is drawn, to a model and back, reflects what one that was never changed does: the
+/// largest difference of their pixels after each call, for each of the values of the jobs.
+export async function changed(jobs) {
+    const THREE = await import('three'), { setFresnel } = await import('fresnel-three');
+    renderer ??= new THREE.WebGLRenderer();
+    const material = new THREE.MeshStandardMaterial({ metalness: 1, roughness: 0.9, color: 0xffffff }), all = [];
+    let hooked = 0;
+    material.onBeforeCompile = () => { ++hooked; };
+    for (const { model, values } of jobs) {
+        const once = await sphere(THREE, setFresnel, model, values, true);
+        const again = await sphere(THREE, setFresnel, model, values, true, material);
+        all.push(again.reduce((most, x, i) => Math.max(most, Math.abs(x - once[i])), 0));
+    }
+    material.dispose();
+    return { differences: all, hooked };
 }
 
 /// What is said against a wrong use of setFresnel, and against a chunk that is not GLSL.

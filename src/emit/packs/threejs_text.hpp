@@ -76,6 +76,34 @@ const environmentCode = `
     }
 `;
 
+// Of each material the term that it has now, and all uniforms that its programs may know.
+const terms = new WeakMap();
+
+// Hooks behind those that a material has, once, however often its term changes.
+function hook(material) {
+    const state = { uniforms: {} }, before = material.onBeforeCompile, key = material.customProgramCacheKey;
+    material.onBeforeCompile = (shader, renderer) => {
+        before.call(material, shader, renderer);
+        Object.assign(shader.uniforms, state.uniforms);
+        let text = replaced(shader.fragmentShader, '#include <lights_physical_pars_fragment>', lightingChunk(state.definition));
+        if (state.environment)
+            text = replaced(text, '#include <lights_fragment_end>', `#include <lights_fragment_end>\n${environmentCode}`);
+        shader.fragmentShader = text;
+    };
+    material.customProgramCacheKey = () => `${key.call(material)} ${before} fresnel ${state.call} ${state.environment}`;
+    terms.set(material, state);
+    return state;
+}
+
+// The same object for a uniform of the same name: a program that is drawn with again has the one that it was made with.
+function kept(all, uniforms) {
+    for (const [name, { value }] of Object.entries(uniforms)) {
+        uniforms[name] = all[name] ??= uniforms[name];
+        uniforms[name].value = value;
+    }
+    return uniforms;
+}
+
 /// Gives a MeshStandardMaterial or MeshPhysicalMaterial the Fresnel term of a model, for lights and for the environment.
 ///
 /// values       the model's parameters: a number, a Color, a Vector3 or [r, g, b], linear. f0 and f90 that are not given
@@ -83,7 +111,7 @@ const environmentCode = `
 /// environment  false leaves what the environment reflects to three's own approximation
 /// returns      the uniforms, {fresnel_f0: {value}, ...}, to be changed while the material is in use
 ///
-/// A clear coat keeps its own term. Throws an Error for an unknown model, and a parameter that is unknown or missing; while
+/// A second call gives the material another term. A clear coat keeps its own term. Throws an Error for an unknown model, and a parameter that is unknown or missing; while
 /// compiling, where three's own text is not as expected.
 export function setFresnel(material, model, values = {}, { environment = true } = {}) {
     known(model);
@@ -95,18 +123,10 @@ vec3 fresnel_term(vec3 f0, float f90, float cos_i) {
 }
 
 `;
-    const before = material.onBeforeCompile, key = material.customProgramCacheKey;
-    material.onBeforeCompile = (shader, renderer) => {
-        before.call(material, shader, renderer);
-        Object.assign(shader.uniforms, uniforms);
-        let text = replaced(shader.fragmentShader, '#include <lights_physical_pars_fragment>', lightingChunk(definition));
-        if (environment)
-            text = replaced(text, '#include <lights_fragment_end>', `#include <lights_fragment_end>\n${environmentCode}`);
-        shader.fragmentShader = text;
-    };
-    material.customProgramCacheKey = () => `${key.call(material)} fresnel ${call} ${environment}`;
+    const state = terms.get(material) ?? hook(material);
+    Object.assign(state, { definition, call, environment });
     material.needsUpdate = true;
-    return uniforms;
+    return kept(state.uniforms, uniforms);
 }
 
 // ---- a rim of light -----------------------------------------------------------------------------------------------------
@@ -172,6 +192,7 @@ Copy this folder to `node_modules/fresnel-three`, or `npm install ./threejs`. `e
 
 `setFresnel` replaces the Fresnel term of a standard or physical material, for lights and for the environment. Models of `f0`
 take the material's own colour where you give none: `setFresnel(material, 'powers_4_8')`. It returns the uniforms.
+A second call gives the material another term; hooks of your own (`onBeforeCompile`) that it has before the first one are kept.
 
 In shaders of your own, `chunk('schlick', 'conductor')` is their GLSL; after `registerChunks()` they may say
 `#include <fresnel_schlick>`. `rimMaterial()` is an unlit rim of light.
