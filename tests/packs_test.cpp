@@ -5,6 +5,7 @@
 #include "shader_lab.hpp"
 
 #include "emit/pack.hpp"
+#include "render/compute.hpp"
 
 #include <fmt/format.h>
 
@@ -202,6 +203,34 @@ TEST_F(packs, unreal_custom_nodes_of_its_readme_compile) {
 }
 
 // ---- the folder ---------------------------------------------------------------------------------------------
+
+// ---- Godot --------------------------------------------------------------------------------------------------
+
+// A normal map of x = 0.6 and y = 0 stands for z = 0.8, which the depth mixes with the surface's own normal.
+TEST_F(packs, godot_bends_normals_as_the_engine_does) {
+    const std::string shader = file_of(emit::godot_pack(), "godot/addons/fresnel/rim.gdshader").text;
+    const std::size_t begin = shader.find("vec3 bent_normal("), end = shader.find("\n}\n", begin) + 3;
+    const std::string bent =
+        replaced(shader.substr(begin, end - begin), "texture(normal_texture, uv).xy", "uv");
+    const std::vector<float> depths = {1, 0, 0.5f};
+    try {
+        const std::vector<float> found = render::open_opengl()->run(
+            "#version 430\nlayout(local_size_x = 64) in;\n"
+            "layout(std430, binding = 0) readonly buffer A { float depths[]; };\n"
+            "layout(std430, binding = 1) writeonly buffer B { float results[]; };\nfloat normal_strength;\n" +
+                bent +
+                "void main() {\n    uint i = gl_GlobalInvocationID.x;\n    if (i >= 3u) return;\n"
+                "    normal_strength = depths[i];\n    vec3 n = bent_normal(vec3(0, 0, 1), vec3(1, 0, 0), "
+                "vec3(0, 1, 0), vec2(0.8, 0.5));\n    results[2u * i] = n.x;\n    results[2u * i + 1u] = "
+                "n.z;\n}\n",
+            depths, {3, 2});
+        const std::vector<double> wanted = {0.6, 0.8, 0, 1, 0.316228, 0.948683};
+        for (std::size_t i = 0; i < wanted.size(); ++i)
+            EXPECT_NEAR(double(found[i]), wanted[i], 1e-5) << i;
+    } catch (const render::no_device& reason) {
+        GTEST_SKIP() << "skipped: " << reason.what();
+    }
+}
 
 TEST_F(packs, templates_come_out_as_they_are) {
     for (const emit::pack_file& f : shaders())

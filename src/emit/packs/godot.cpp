@@ -34,10 +34,12 @@ uniform float normal_strength : hint_range(0.0, 4.0) = 1.0;
 )";
 
 constexpr std::string_view bent_normal = R"(
-// The normal of the surface, bent by the normal map.
+// The normal of the surface, bent by the normal map as Godot bends it by NORMAL_MAP and NORMAL_MAP_DEPTH.
 vec3 bent_normal(vec3 normal, vec3 tangent, vec3 binormal, vec2 uv) {
-    vec2 slope = (texture(normal_texture, uv).xy * 2.0 - 1.0) * normal_strength;
-    return normalize(tangent * slope.x + binormal * slope.y + normal);
+    vec2 slope = texture(normal_texture, uv).xy * 2.0 - 1.0;
+    float height = sqrt(max(1.0 - dot(slope, slope), 0.0));
+    vec3 bent = tangent * slope.x + binormal * slope.y + normal * height;
+    return normalize(mix(normal, bent, normal_strength));
 }
 )";
 
