@@ -232,6 +232,35 @@ TEST_F(packs, godot_bends_normals_as_the_engine_does) {
     }
 }
 
+// ---- MaterialX ----------------------------------------------------------------------------------------------
+
+// The words that MaterialX changes where it gives a source in GLSL to Metal.
+std::string as_metal(std::string text) {
+    text = std::regex_replace(text, std::regex("\\bvec([23])\\b"), "float$1");
+    return std::regex_replace(text, std::regex("\\bout (float3?) "), "thread $1& ");
+}
+
+// No Metal compiler can be had: clang reads the sources as the C++ with vectors that they are.
+TEST_F(packs, materialx_sources_are_Metal_too) {
+    if (!has_command("clang++-19")) GTEST_SKIP() << "skipped: no clang++-19";
+    const std::string command =
+        std::string("clang++-19 -std=c++14 -fsyntax-only -nostdinc -isystem ") + FRESNEL_SOURCE_DIR +
+        "/tests/metal -Wall -Wextra -Wno-unused-function -Wno-unused-parameter -Werror all.cpp";
+    std::string all = "#include <metal_stdlib>\n#define thread\nusing namespace metal;\n";
+    int count = 0;
+    for (const emit::pack_file& f : emit::materialx_pack()) {
+        if (!f.path.ends_with(".glsl")) continue;
+        write(f.path, as_metal(f.text));
+        if (f.path.find("/lib/") == std::string::npos)
+            all += fmt::format("namespace source_{} {{\n#include \"{}\"\n}}\n", count++, f.path);
+    }
+    EXPECT_GT(count, 30);
+    write("all.cpp", all);
+    EXPECT_EQ(complaints(command), "");
+    write("all.cpp", all + "float broken(float x) { return clamp_of(x); }\n");
+    EXPECT_NE(complaints(command).find("clamp_of"), std::string::npos);
+}
+
 TEST_F(packs, templates_come_out_as_they_are) {
     for (const emit::pack_file& f : shaders())
         EXPECT_EQ(f.text, read_text(templates + f.path)) << f.path;

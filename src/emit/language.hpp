@@ -18,7 +18,8 @@ enum class choice_style {
 /// How a language makes a struct.
 enum class struct_style {
     constructor, ///< return fresnel_boundary(R_s, ...);
-    initializer  ///< fresnel_boundary b = {R_s, ...}; return b;
+    initializer, ///< fresnel_boundary b = {R_s, ...}; return b;
+    members      ///< fresnel_boundary b; b.R_s = R_s; ... return b;
 };
 
 /// What a printer must know of a language. Text that is empty is not there in the language.

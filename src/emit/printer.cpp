@@ -226,6 +226,14 @@ private:
                            value);
     }
 
+    std::string by_members(std::string_view type, const std::string& name,
+                           const std::vector<std::string>& values) const {
+        std::string text = fmt::format("    {} {};\n", type, name);
+        for (std::size_t i = 0; i < values.size(); ++i)
+            text += fmt::format("    {}.{} = {};\n", name, f_.results[i].name, values[i]);
+        return text + fmt::format("    return {};\n", name);
+    }
+
     std::string returned() {
         if (f_.results.size() == 2) return returned_pair();
         std::vector<std::string> values;
@@ -245,6 +253,7 @@ private:
         const std::string_view name = f_.components ? l_.triple : "fresnel_boundary";
         if (l_.structs == struct_style::constructor) return fmt::format("    return {}({});\n", name, list);
         const std::string b = locals_.unique("result");
+        if (l_.structs == struct_style::members) return by_members(name, b, values);
         return fmt::format("    {0} {1} = {{{2}}};\n    return {1};\n", name, b, list);
     }
 

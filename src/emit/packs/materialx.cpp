@@ -182,8 +182,18 @@ struct target {
     std::string_view id, output; ///< its name, what stands before an argument that is written to
 };
 
+// GLSL as MaterialX also gives it to Metal, whose C++ has no constructor of a struct's members.
+const language& glsl_for_all() {
+    static const language l = [] {
+        language glsl = find_language("glsl");
+        glsl.structs = struct_style::members;
+        return glsl;
+    }();
+    return l;
+}
+
 std::vector<target> targets() {
-    return {{find_language("glsl"), "genglsl", "out"}, {find_language("osl"), "genosl", "output"}};
+    return {{glsl_for_all(), "genglsl", "out"}, {find_language("osl"), "genosl", "output"}};
 }
 
 // The function that MaterialX calls: inputs, then outputs.

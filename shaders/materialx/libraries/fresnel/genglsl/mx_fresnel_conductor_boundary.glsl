@@ -39,7 +39,12 @@ fresnel_boundary fresnel_conductor_boundary(float n_i, float n_t, float k_t, flo
     // transmitted
     float T_s = F <= 0.0 ? 1.0 - R_s : 2.0 * (a * (G_s / D_s)) * c;
     float T_p = T_s + R_s * (2.0 * (a * (G_p / D_p)) * (c * sin2));
-    return fresnel_boundary(R_s, R_p, min(T_s, 1.0), min(T_p, 1.0));
+    fresnel_boundary result;
+    result.R_s = R_s;
+    result.R_p = R_p;
+    result.T_s = min(T_s, 1.0);
+    result.T_p = min(T_p, 1.0);
+    return result;
 }
 
 void mx_fresnel_conductor_boundary_float(float n_i, float n_t, float k_t, float cos_i, out float R_s, out float R_p, out float T_s, out float T_p) {

@@ -23,7 +23,12 @@ fresnel_boundary fresnel_conductor_fast_boundary(float n_i, float n_t, float k_t
     float w = a2 <= 0.0 ? 0.0 : 2.0 * t2; // 0 beyond the critical angle
     float T_s = w / D_s;
     float T_p = T_s + R_s * (w * sin2 / D_p);
-    return fresnel_boundary(R_s, R_p, min(T_s, 1.0), min(T_p, 1.0));
+    fresnel_boundary result;
+    result.R_s = R_s;
+    result.R_p = R_p;
+    result.T_s = min(T_s, 1.0);
+    result.T_p = min(T_p, 1.0);
+    return result;
 }
 
 void mx_fresnel_conductor_fast_boundary_float(float n_i, float n_t, float k_t, float cos_i, out float R_s, out float R_p, out float T_s, out float T_p) {

@@ -53,7 +53,12 @@ fresnel_boundary fresnel_conductor_precise_boundary(float n_i, float n_t, float 
     float P = sum * sum + bc2;
     float R_p = R_s * ((nu * nu + bc2) / P);
     float T_p = T_s + R_s * (4.0 * (ac * is2) / P);
-    return fresnel_boundary(min(R_s, 1.0), min(R_p, 1.0), min(T_s, 1.0), min(T_p, 1.0));
+    fresnel_boundary result;
+    result.R_s = min(R_s, 1.0);
+    result.R_p = min(R_p, 1.0);
+    result.T_s = min(T_s, 1.0);
+    result.T_p = min(T_p, 1.0);
+    return result;
 }
 
 void mx_fresnel_conductor_precise_boundary_float(float n_i, float n_t, float k_t, float cos_i, out float R_s, out float R_p, out float T_s, out float T_p) {

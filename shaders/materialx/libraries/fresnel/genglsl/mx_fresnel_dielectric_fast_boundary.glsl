@@ -20,7 +20,12 @@ fresnel_boundary fresnel_dielectric_fast_boundary(float n_i, float n_t, float co
     float through_p = w * sin2 / (b * b);
     float T_s = g2 <= 0.0 ? 0.0 : through_s;
     float T_p = g2 <= 0.0 ? 0.0 : through_s + r2 * through_p;
-    return fresnel_boundary(R_s, R_p, min(T_s, 1.0), min(T_p, 1.0));
+    fresnel_boundary result;
+    result.R_s = R_s;
+    result.R_p = R_p;
+    result.T_s = min(T_s, 1.0);
+    result.T_p = min(T_p, 1.0);
+    return result;
 }
 
 void mx_fresnel_dielectric_fast_boundary_float(float n_i, float n_t, float cos_i, out float R_s, out float R_p, out float T_s, out float T_p) {
