@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <regex>
 
 namespace fresnel::test {
@@ -86,18 +87,18 @@ TEST_F(packs, unity_shaders_are_ShaderLab) {
 
 TEST_F(packs, ShaderLab_that_is_broken_is_refused) {
     EXPECT_EQ(first_complaint(with_pass("Diffuse", "Diffuse")), "");
-    EXPECT_EQ(first_complaint(with_pass("Blend One One", "Bled One One")), "line 54: Pass has no 'Bled'");
+    EXPECT_EQ(first_complaint(with_pass("Blend One One", "Bled One One")), "line 55: Pass has no 'Bled'");
     EXPECT_EQ(first_complaint(with_pass("Blend One One", "Blend One Two")),
-              "line 54: 'Two' is none of the words known here");
+              "line 55: 'Two' is none of the words known here");
     EXPECT_EQ(first_complaint(with_pass("    FallBack \"Diffuse\"\n}\n", "")),
-              "line 72: '' where '}' must stand");
+              "line 74: '' where '}' must stand");
     EXPECT_EQ(first_complaint(with_pass("= (1, 1, 1, 1)", "= (1, 1, 1)")),
               "line 7: ')' where ',' must stand");
     EXPECT_EQ(first_complaint(with_pass("Range(0.1, 20)", "Rang(0.1, 20)")),
               "line 10: 'Rang' is none of the words known here");
     EXPECT_NE(first_complaint(with_pass("ENDCG\n        }\n\n", "}\n\n")), "");
     EXPECT_EQ(first_complaint(with_pass("#pragma fragment surface_fragment", "")),
-              "line 49: the program names no fragment function");
+              "line 50: the program names no fragment function");
     EXPECT_EQ(first_complaint(with_pass("_Bias (\"Bias\", Range(0, 1)) = 0", "")),
               "the programs declare _Bias, which is no property");
     EXPECT_EQ(first_complaint(with_pass("_Bias, _Scale, _Power;", "_Bias, _Scale;")),
@@ -117,7 +118,68 @@ TEST_F(packs, unity_passes_compile_against_a_stub_of_its_includes) {
             EXPECT_EQ(compiled(path, pass.vertex, pass.fragment), "") << f.path;
             ++passes;
         }
-    EXPECT_EQ(passes, 7 + 3 + 7); // three built-in shaders have a pass for further lights
+    // three built-in shaders have a pass for further lights, URP's opaque ones two for depth and normals
+    EXPECT_EQ(passes, 7 + 3 + 7 + 2 * 6);
+}
+
+TEST_F(packs, unity_normals_compile_as_the_G_buffer_holds_them) {
+    if (!has_command("glslangValidator")) GTEST_SKIP() << "skipped: no glslangValidator";
+    write_pack(emit::unity_pack());
+    const std::string path = "unity/Runtime/Shaders/Universal/Lit.shader";
+    const shader_lab lit(file_of(emit::unity_pack(), path).text);
+    ASSERT_EQ(lit.passes.size(), 3u);
+    const shader_pass& pass = lit.passes.back();
+    const std::string program = replaced(path, ".shader", ".hlsl");
+    write(program, "#define _GBUFFER_NORMALS_OCT\n" + pass.text);
+    EXPECT_EQ(compiled(program, pass.vertex, pass.fragment), "");
+}
+
+// The eye's place is that of the eye that is drawn only behind this macro.
+TEST_F(packs, unity_fragments_know_which_eye_looks) {
+    const std::regex fragment(R"(\w+_fragment\(fragment_input input\) : SV_Target \{\n(.*)\n)");
+    int count = 0;
+    for (const emit::pack_file& f : emit::unity_pack())
+        for (auto at = std::sregex_iterator(f.text.begin(), f.text.end(), fragment);
+             at != std::sregex_iterator(); ++at, ++count)
+            EXPECT_NE((*at)[1].str().find("UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);"),
+                      std::string::npos)
+                << f.path;
+    EXPECT_EQ(count, 7 + 3 + 7 + 2);
+}
+
+TEST_F(packs, unity_colours_are_those_of_its_inspector) {
+    for (const std::string pipeline : {"BuiltIn", "Universal"})
+        for (const std::string shader : {"Highlights", "Semitransparent"}) {
+            const std::string text =
+                file_of(emit::unity_pack(),
+                        fmt::format("unity/Runtime/Shaders/{}/{}.shader", pipeline, shader))
+                    .text;
+            std::smatch found;
+            ASSERT_TRUE(std::regex_search(text, found, std::regex(R"(_SpecColor \(.*\) = \(([0-9.]+), )")));
+            EXPECT_NEAR(std::pow((std::stod(found[1]) + 0.055) / 1.055, 2.4), 0.04, 1e-5) << "of sRGB";
+        }
+}
+
+// A light whose culling mask leaves the object out has a distanceAttenuation of 0.
+TEST_F(packs, every_light_of_URP_is_attenuated) {
+    const std::string text = file_of(emit::unity_pack(), "unity/Runtime/Shaders/Universal/Surface.hlsl").text;
+    const auto count = [&](const std::string& pattern) {
+        const std::regex wanted(pattern);
+        return std::distance(std::sregex_iterator(text.begin(), text.end(), wanted), std::sregex_iterator());
+    };
+    EXPECT_EQ(count(R"(\.color,)"), 2);
+    EXPECT_EQ(count(R"((\w+)\.distanceAttenuation \* \1\.color,)"), 2);
+}
+
+// UniversalForward is not drawn in the Deferred path.
+TEST_F(packs, opaque_shaders_of_URP_are_drawn_in_every_path) {
+    for (const emit::pack_file& f : shaders()) {
+        if (f.path.find("/Universal/") == std::string::npos) continue;
+        const bool opaque = f.path.find("Semitransparent") == std::string::npos;
+        for (const std::string mode : {"UniversalForwardOnly", "DepthOnly", "DepthNormalsOnly"})
+            EXPECT_EQ(f.text.find(fmt::format("\"LightMode\" = \"{}\"", mode)) != std::string::npos, opaque)
+                << f.path << " " << mode;
+    }
 }
 
 TEST_F(packs, a_broken_pass_is_refused) {

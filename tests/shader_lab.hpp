@@ -185,6 +185,8 @@ private:
             take_one_of(factors), take_one_of(factors);
         } else if (word == "ZWrite") {
             take_one_of({"On", "Off"});
+        } else if (word == "ColorMask") {
+            take_one_of({"R", "RGB", "0"});
         } else if (word == "Cull") {
             take_one_of({"Back", "Front", "Off"});
         } else if (word == "LOD") {

@@ -130,10 +130,20 @@ class UnityFxc(ProgramsFxc):
     """Each pass of each shader, against the stub of Unity's includes that the tests use."""
 
     name, title = "unity-fxc", "Unity's passes"
-    entries = [("vs_5_0", "surface_vertex"), ("ps_5_0", "surface_fragment")]
 
     def version(self):
         return f"FXC of {WEBGPU_AS_READ} (vs_5_0, ps_5_0)"
+
+    @staticmethod
+    def passes(printed, folder):
+        """The texts of the passes by the functions that they begin with, from what unity_passes prints."""
+        found = {}
+        for line in printed.splitlines():
+            path, vertex, fragment = line.split()
+            name = "_".join(Path(path).relative_to(folder).parts[-2:])
+            entries = (("vs_5_0", vertex), ("ps_5_0", fragment))
+            found.setdefault(entries, {})[name] = strict(included(Path(path), [STUBS], set()))
+        return found
 
     def check(self):
         folder = cache() / "programs" / "unity"
@@ -141,12 +151,13 @@ class UnityFxc(ProgramsFxc):
         code, said = run([corpus.build_folder() / "unity_passes", folder])
         if code != 0:
             raise SystemExit(f"receivers: unity_passes: {said}")
-        texts = {}
-        for path in (Path(line.split()[0]) for line in said.splitlines()):
-            texts["_".join(path.relative_to(folder).parts[-2:])] = strict(included(path, [STUBS], set()))
-        messages = self.compile_texts(texts, self.entries)
+        texts, messages = {}, []
+        for entries, passes in self.passes(said, folder).items():
+            texts.update(passes)
+            messages += self.compile_texts(passes, entries)
         lit = texts["BuiltIn_Lit.ForwardBase.hlsl"]
         broken = [Broken("an undeclared property", lit.replace("_Bias, _Scale, _Power;", "_Bias, _Scale;")),
                   Broken("an unknown function", lit.replace("bias_scale_power(_Bias", "bias_scale_pow(_Bias"))]
-        refused = self.compile_texts({f"broken_{i}": b.text for i, b in enumerate(broken)}, self.entries)
+        entries = [("vs_5_0", "surface_vertex"), ("ps_5_0", "surface_fragment")]
+        refused = self.compile_texts({f"broken_{i}": b.text for i, b in enumerate(broken)}, entries)
         return self.report(texts, messages, broken, refused)

@@ -7,6 +7,7 @@
 #define UNITY_VERTEX_OUTPUT_STEREO
 #define UNITY_SETUP_INSTANCE_ID(input)
 #define UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(output)
+#define UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input)
 #define TRANSFORM_TEX(texcoord, name) (texcoord.xy * name##_ST.xy + name##_ST.zw)
 
 float4x4 unity_ObjectToWorld;

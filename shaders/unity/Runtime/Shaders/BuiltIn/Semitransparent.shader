@@ -3,7 +3,7 @@
 Shader "Fresnel/Semitransparent" {
     Properties {
         _Color ("Diffuse Material Color", Color) = (1, 1, 1, 1)
-        _SpecColor ("Specular Material Color", Color) = (0.04, 0.04, 0.04, 1)
+        _SpecColor ("Specular Material Color", Color) = (0.2209, 0.2209, 0.2209, 1)
         _Shininess ("Shininess", Range(1, 1000)) = 10
         _FresnelPower ("Fresnel Power", Range(0.1, 20)) = 5
         _Opacity ("Opacity", Range(0, 1)) = 0.3
@@ -38,6 +38,7 @@ Shader "Fresnel/Semitransparent" {
             #pragma multi_compile_instancing
 
             float4 surface_fragment(fragment_input input) : SV_Target {
+                UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);
                 float3 normal = vertex_normal(input);
                 float3 view = view_direction(input);
                 lit_surface lit = lit_by_pass(input, normal, view);
@@ -61,6 +62,7 @@ Shader "Fresnel/Semitransparent" {
             #pragma multi_compile_instancing
 
             float4 surface_fragment(fragment_input input) : SV_Target {
+                UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);
                 float3 normal = vertex_normal(input);
                 float3 view = view_direction(input);
                 lit_surface lit = lit_by_pass(input, normal, view);

@@ -29,6 +29,7 @@ Shader "Fresnel/Unlit" {
             #pragma multi_compile_instancing
 
             float4 surface_fragment(fragment_input input) : SV_Target {
+                UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);
                 float rim = bias_scale_power(_Bias, _Scale, _Power, vertex_normal(input), view_direction(input));
                 return lerp(_BaseColor, _Color, rim);
             }

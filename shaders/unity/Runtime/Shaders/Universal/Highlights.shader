@@ -3,7 +3,7 @@
 Shader "Fresnel/Universal/Highlights" {
     Properties {
         _Color ("Diffuse Material Color", Color) = (1, 1, 1, 1)
-        _SpecColor ("Specular Material Color", Color) = (0.04, 0.04, 0.04, 1)
+        _SpecColor ("Specular Material Color", Color) = (0.2209, 0.2209, 0.2209, 1)
         _Shininess ("Shininess", Range(1, 1000)) = 10
         _FresnelPower ("Fresnel Power", Range(0.1, 20)) = 5
     }
@@ -25,7 +25,7 @@ Shader "Fresnel/Universal/Highlights" {
 
         Pass {
             Name "Forward"
-            Tags { "LightMode" = "UniversalForward" } // ambient light and all lights
+            Tags { "LightMode" = "UniversalForwardOnly" } // ambient light and all lights
 
             HLSLPROGRAM
             #pragma vertex surface_vertex
@@ -34,11 +34,36 @@ Shader "Fresnel/Universal/Highlights" {
             #pragma multi_compile _ _ADDITIONAL_LIGHTS
 
             float4 surface_fragment(fragment_input input) : SV_Target {
+                UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);
                 float3 normal = vertex_normal(input);
                 lit_surface lit =
                     light_surface_by_all(input, normal, _Color.rgb, _SpecColor.rgb, _Shininess, _FresnelPower);
                 return float4(ambient_light(normal) * _Color.rgb + lit.diffuse + lit.specular, 1.0);
             }
+            ENDHLSL
+        }
+
+        Pass {
+            Name "DepthOnly"
+            Tags { "LightMode" = "DepthOnly" }
+            ColorMask R
+
+            HLSLPROGRAM
+            #pragma vertex surface_vertex
+            #pragma fragment depth_fragment
+            #pragma multi_compile_instancing
+            ENDHLSL
+        }
+
+        Pass {
+            Name "DepthNormalsOnly"
+            Tags { "LightMode" = "DepthNormalsOnly" }
+
+            HLSLPROGRAM
+            #pragma vertex surface_vertex
+            #pragma fragment normals_fragment
+            #pragma multi_compile_instancing
+            #pragma multi_compile_fragment _ _GBUFFER_NORMALS_OCT
             ENDHLSL
         }
     }

@@ -32,7 +32,7 @@ Shader "Fresnel/Universal/Lit" {
 
         Pass {
             Name "Forward"
-            Tags { "LightMode" = "UniversalForward" } // ambient light and all lights
+            Tags { "LightMode" = "UniversalForwardOnly" } // ambient light and all lights
 
             HLSLPROGRAM
             #pragma vertex surface_vertex
@@ -41,6 +41,7 @@ Shader "Fresnel/Universal/Lit" {
             #pragma multi_compile _ _ADDITIONAL_LIGHTS
 
             float4 surface_fragment(fragment_input input) : SV_Target {
+                UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);
                 float2 uv = TRANSFORM_TEX(input.texcoord, _MainTex);
                 float4 base = SAMPLE_TEXTURE2D(_MainTex, sampler_MainTex, uv);
                 float3 normal = mapped_normal(input, UnpackNormal(SAMPLE_TEXTURE2D(_BumpMap, sampler_BumpMap, uv)));
@@ -48,6 +49,30 @@ Shader "Fresnel/Universal/Lit" {
                 lit_surface lit = light_surface_by_all(input, normal, base.rgb, float3(0.0, 0.0, 0.0), 1.0, _Power);
                 return float4(lerp(base.rgb * ambient_light(normal) + lit.diffuse, _Color.rgb, rim), 1.0);
             }
+            ENDHLSL
+        }
+
+        Pass {
+            Name "DepthOnly"
+            Tags { "LightMode" = "DepthOnly" }
+            ColorMask R
+
+            HLSLPROGRAM
+            #pragma vertex surface_vertex
+            #pragma fragment depth_fragment
+            #pragma multi_compile_instancing
+            ENDHLSL
+        }
+
+        Pass {
+            Name "DepthNormalsOnly"
+            Tags { "LightMode" = "DepthNormalsOnly" }
+
+            HLSLPROGRAM
+            #pragma vertex surface_vertex
+            #pragma fragment normals_fragment
+            #pragma multi_compile_instancing
+            #pragma multi_compile_fragment _ _GBUFFER_NORMALS_OCT
             ENDHLSL
         }
     }

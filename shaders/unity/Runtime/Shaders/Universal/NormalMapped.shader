@@ -32,7 +32,7 @@ Shader "Fresnel/Universal/NormalMapped" {
 
         Pass {
             Name "Forward"
-            Tags { "LightMode" = "UniversalForward" }
+            Tags { "LightMode" = "UniversalForwardOnly" }
 
             HLSLPROGRAM
             #pragma vertex surface_vertex
@@ -40,6 +40,7 @@ Shader "Fresnel/Universal/NormalMapped" {
             #pragma multi_compile_instancing
 
             float4 surface_fragment(fragment_input input) : SV_Target {
+                UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);
                 float2 uv = TRANSFORM_TEX(input.texcoord, _MainTex);
                 float4 base = SAMPLE_TEXTURE2D(_MainTex, sampler_MainTex, uv);
                 float3 texel = UnpackNormal(SAMPLE_TEXTURE2D(_BumpMap, sampler_BumpMap, uv));
@@ -47,6 +48,30 @@ Shader "Fresnel/Universal/NormalMapped" {
                 float rim = bias_scale_power(_Bias, _Scale, _Power, normal, view_direction(input));
                 return lerp(base, _Color, rim);
             }
+            ENDHLSL
+        }
+
+        Pass {
+            Name "DepthOnly"
+            Tags { "LightMode" = "DepthOnly" }
+            ColorMask R
+
+            HLSLPROGRAM
+            #pragma vertex surface_vertex
+            #pragma fragment depth_fragment
+            #pragma multi_compile_instancing
+            ENDHLSL
+        }
+
+        Pass {
+            Name "DepthNormalsOnly"
+            Tags { "LightMode" = "DepthNormalsOnly" }
+
+            HLSLPROGRAM
+            #pragma vertex surface_vertex
+            #pragma fragment normals_fragment
+            #pragma multi_compile_instancing
+            #pragma multi_compile_fragment _ _GBUFFER_NORMALS_OCT
             ENDHLSL
         }
     }

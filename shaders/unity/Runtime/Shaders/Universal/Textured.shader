@@ -29,7 +29,7 @@ Shader "Fresnel/Universal/Textured" {
 
         Pass {
             Name "Forward"
-            Tags { "LightMode" = "UniversalForward" }
+            Tags { "LightMode" = "UniversalForwardOnly" }
 
             HLSLPROGRAM
             #pragma vertex surface_vertex
@@ -37,11 +37,36 @@ Shader "Fresnel/Universal/Textured" {
             #pragma multi_compile_instancing
 
             float4 surface_fragment(fragment_input input) : SV_Target {
+                UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);
                 float2 uv = TRANSFORM_TEX(input.texcoord, _MainTex);
                 float4 base = SAMPLE_TEXTURE2D(_MainTex, sampler_MainTex, uv);
                 float rim = bias_scale_power(_Bias, _Scale, _Power, vertex_normal(input), view_direction(input));
                 return lerp(base, _Color, rim);
             }
+            ENDHLSL
+        }
+
+        Pass {
+            Name "DepthOnly"
+            Tags { "LightMode" = "DepthOnly" }
+            ColorMask R
+
+            HLSLPROGRAM
+            #pragma vertex surface_vertex
+            #pragma fragment depth_fragment
+            #pragma multi_compile_instancing
+            ENDHLSL
+        }
+
+        Pass {
+            Name "DepthNormalsOnly"
+            Tags { "LightMode" = "DepthNormalsOnly" }
+
+            HLSLPROGRAM
+            #pragma vertex surface_vertex
+            #pragma fragment normals_fragment
+            #pragma multi_compile_instancing
+            #pragma multi_compile_fragment _ _GBUFFER_NORMALS_OCT
             ENDHLSL
         }
     }

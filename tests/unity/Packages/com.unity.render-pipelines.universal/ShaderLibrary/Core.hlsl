@@ -6,6 +6,7 @@
 #define UNITY_VERTEX_OUTPUT_STEREO
 #define UNITY_SETUP_INSTANCE_ID(input)
 #define UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(output)
+#define UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input)
 #define TRANSFORM_TEX(texcoord, name) ((texcoord.xy) * name##_ST.xy + name##_ST.zw)
 #define CBUFFER_START(name) cbuffer name {
 #define CBUFFER_END };
@@ -47,6 +48,14 @@ float3 GetWorldSpaceNormalizeViewDir(float3 position) {
 
 float3 UnpackNormal(float4 texel) {
     return texel.xyz * 2.0 - 1.0;
+}
+
+float2 PackNormalOctQuadEncode(float3 normal) {
+    return normal.xy / dot(abs(normal), 1.0);
+}
+
+float3 PackFloat2To888(float2 x) {
+    return float3(x, 0.0);
 }
 
 #endif

@@ -3,7 +3,7 @@
 Shader "Fresnel/Highlights" {
     Properties {
         _Color ("Diffuse Material Color", Color) = (1, 1, 1, 1)
-        _SpecColor ("Specular Material Color", Color) = (0.04, 0.04, 0.04, 1)
+        _SpecColor ("Specular Material Color", Color) = (0.2209, 0.2209, 0.2209, 1)
         _Shininess ("Shininess", Range(1, 1000)) = 10
         _FresnelPower ("Fresnel Power", Range(0.1, 20)) = 5
     }
@@ -33,6 +33,7 @@ Shader "Fresnel/Highlights" {
             #pragma multi_compile_instancing
 
             float4 surface_fragment(fragment_input input) : SV_Target {
+                UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);
                 float3 normal = vertex_normal(input);
                 lit_surface lit = lit_by_pass(input, normal, view_direction(input));
                 return float4(ambient_light(normal) * _Color.rgb + lit.diffuse + lit.specular, 1.0);
@@ -52,6 +53,7 @@ Shader "Fresnel/Highlights" {
             #pragma multi_compile_instancing
 
             float4 surface_fragment(fragment_input input) : SV_Target {
+                UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);
                 float3 normal = vertex_normal(input);
                 lit_surface lit = lit_by_pass(input, normal, view_direction(input));
                 return float4(lit.diffuse + lit.specular, 1.0);

@@ -39,6 +39,7 @@ Shader "Fresnel/Lit" {
             #pragma multi_compile_instancing
 
             float4 surface_fragment(fragment_input input) : SV_Target {
+                UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);
                 float2 uv = TRANSFORM_TEX(input.texcoord, _MainTex);
                 float4 base = tex2D(_MainTex, uv);
                 float3 normal = mapped_normal(input, UnpackNormal(tex2D(_BumpMap, uv)));
@@ -60,6 +61,7 @@ Shader "Fresnel/Lit" {
             #pragma multi_compile_instancing
 
             float4 surface_fragment(fragment_input input) : SV_Target {
+                UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);
                 float2 uv = TRANSFORM_TEX(input.texcoord, _MainTex);
                 float4 base = tex2D(_MainTex, uv);
                 float3 normal = mapped_normal(input, UnpackNormal(tex2D(_BumpMap, uv)));

@@ -32,6 +32,7 @@ Shader "Fresnel/NormalMapped" {
             #pragma multi_compile_instancing
 
             float4 surface_fragment(fragment_input input) : SV_Target {
+                UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);
                 float2 uv = TRANSFORM_TEX(input.texcoord, _MainTex);
                 float4 base = tex2D(_MainTex, uv);
                 float3 texel = UnpackNormal(tex2D(_BumpMap, uv));

@@ -30,6 +30,7 @@ Shader "Fresnel/Textured" {
             #pragma multi_compile_instancing
 
             float4 surface_fragment(fragment_input input) : SV_Target {
+                UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);
                 float2 uv = TRANSFORM_TEX(input.texcoord, _MainTex);
                 float4 base = tex2D(_MainTex, uv);
                 float rim = bias_scale_power(_Bias, _Scale, _Power, vertex_normal(input), view_direction(input));

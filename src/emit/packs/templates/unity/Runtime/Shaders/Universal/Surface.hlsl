@@ -33,7 +33,7 @@ lit_surface light_surface_by_all(fragment_input input, float3 normal, float3 col
     float3 view = view_direction(input);
     Light first = GetMainLight();
     lit_surface result =
-        light_surface(normal, view, first.direction, first.color, color, spec_color, shininess, power);
+        light_surface(normal, view, first.direction, first.distanceAttenuation * first.color, color, spec_color, shininess, power);
     uint count = GetAdditionalLightsCount();
     for (uint i = 0u; i < count; ++i) {
         Light light = GetAdditionalLight(i, input.world_position);
@@ -47,6 +47,23 @@ lit_surface light_surface_by_all(fragment_input input, float3 normal, float3 col
 
 float3 ambient_light(float3 normal) {
     return SampleSH(normal);
+}
+
+// ---- what the pipeline asks for before it draws, in its Deferred path or for its textures of depth and normals ----
+
+float depth_fragment(fragment_input input) : SV_Target {
+    UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);
+    return input.clip_position.z;
+}
+
+// The normals of the vertices, not of a map.
+float4 normals_fragment(fragment_input input) : SV_Target {
+    UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);
+    float3 normal = vertex_normal(input);
+#ifdef _GBUFFER_NORMALS_OCT
+    normal = PackFloat2To888(saturate(PackNormalOctQuadEncode(normal) * 0.5 + 0.5));
+#endif
+    return float4(normal, 0.0);
 }
 
 #endif
