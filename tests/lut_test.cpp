@@ -407,8 +407,11 @@ struct receiver {
 const std::vector<receiver> receivers = {
     {"glsl", "#version 330\nuniform sampler2D x;\nin float c;\nout vec4 o;\n",
      "void main() { o = vec4(vec3(CALL(x, ARGS)), 1.0); }\n", "t.frag", "glslangValidator t.frag"},
-    {"essl", "#version 300 es\nprecision highp float;\nuniform sampler2D x;\nin float c;\nout vec4 o;\n",
-     "void main() { o = vec4(vec3(CALL(x, ARGS)), 1.0); }\n", "t.frag", "glslangValidator t.frag"},
+    {"essl", "#version 300 es\n",
+     "uniform highp sampler2D x;\nin float c;\nout vec4 o;\nvoid main() { o = vec4(vec3(CALL(x, ARGS)), "
+     "1.0); "
+     "}\n",
+     "t.frag", "glslangValidator t.frag"},
     {"hlsl", "Texture2D x : register(t0);\nSamplerState s : register(s0);\n",
      "float4 main(float c : A) : SV_Target { return float4(float3(CALL(x, s, ARGS)), 1); }\n", "t.frag",
      "glslangValidator -D -V -S frag -e main t.frag"},
@@ -461,6 +464,28 @@ TEST_F(lut_text, compiles_where_it_is_read) {
             EXPECT_NE(shell(r.command), 0) << r.lang << " accepts what is broken";
         }
     }
+}
+
+TEST_F(lut_text, a_table_in_GLSL_ES_is_read_in_full_precision) {
+    const std::string text = run("lut dielectric --fix n_t=1.5 --lang essl").out;
+    EXPECT_EQ(text.find("precision highp float;\n"), 0u) << "a fragment stage has no precision of its own";
+    EXPECT_NE(text.find("(highp sampler2D table, float cos_i)"), std::string::npos) << text;
+}
+
+TEST_F(lut_text, CUDA_is_told_how_to_describe_the_texture) {
+    const auto text = [&](const std::string& arguments) {
+        return run("lut " + arguments + " --lang cuda").out;
+    };
+    for (const std::string format : {"r8", "r16"})
+        EXPECT_NE(text("dielectric --format " + format)
+                      .find("normalizedCoords = 1, readMode = cudaReadModeNormalizedFloat\n"),
+                  std::string::npos);
+    EXPECT_NE(text("dielectric").find("normalizedCoords = 1, readMode = cudaReadModeElementType\n"),
+              std::string::npos);
+    EXPECT_NE(text("gold").find("cudaReadModeElementType, four channels\n"), std::string::npos);
+    EXPECT_EQ(run("lut dielectric --lang hlsl").out.find("cudaReadMode"), std::string::npos);
+    EXPECT_NE(text("dielectric --name fresnel_table").find("float fresnel_table_(fresnel_table table"),
+              std::string::npos);
 }
 
 // A C program that prints what the header's function returns for each line of inputs, cos_i alone or by and cos_i.

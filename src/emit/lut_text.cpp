@@ -20,7 +20,7 @@ struct texture_style {
 
 constexpr std::array texture_styles = {
     texture_style{"glsl", "sampler2D table", "textureLod(table, vec2({}, {}), 0.0)"},
-    texture_style{"essl", "sampler2D table", "textureLod(table, vec2({}, {}), 0.0)"},
+    texture_style{"essl", "highp sampler2D table", "textureLod(table, vec2({}, {}), 0.0)"},
     texture_style{"hlsl", "Texture2D table, SamplerState filtering",
                   "table.SampleLevel(filtering, float2({}, {}), 0.0)"},
     texture_style{"cg", "sampler2D table", "tex2D(table, float2({}, {}))"},
@@ -39,11 +39,22 @@ constexpr std::string_view cuda_head = "#pragma once\n\n#ifdef __HIPCC__\n#inclu
                                        "typedef hipTextureObject_t fresnel_table;\n#else\n"
                                        "typedef cudaTextureObject_t fresnel_table;\n#endif\n\n";
 
+// What stands before the function's comment, so that the text compiles by itself.
+std::string_view opening(const language& l) {
+    if (l.id == "cuda") return cuda_head;
+    return l.id == "essl" ? "precision highp float;\n\n" : "";
+}
+
 const texture_style& find_style(std::string_view id) {
     for (const texture_style& s : texture_styles)
         if (s.language == id) return s;
     if (id == "hip") return find_style("cuda");
     throw bad_input(fmt::format("--lang {}: reads no texture; use --format c", id));
+}
+
+// Whether a texel is read as four numbers, where a language must say how many.
+bool has_four_channels(const lut& table) {
+    return table.channels() == 3 || table.format == texel_format::rgba32f;
 }
 
 // ---- comments -----------------------------------------------------------------------------------------------
@@ -95,12 +106,21 @@ void add_arguments(std::vector<std::string>& lines, const lut& table) {
     lines.push_back(fmt::format("{:<9} cosine of incidence, [0, 1]", "cos_i"));
 }
 
+// What CUDA's description of a texture must hold.
+void add_descriptor(std::vector<std::string>& lines, const lut& table) {
+    const bool fractions = table.format == texel_format::r8 || table.format == texel_format::r16;
+    lines.push_back(fmt::format("{:<9} normalizedCoords = 1, readMode = {}{}", "",
+                                fractions ? "cudaReadModeNormalizedFloat" : "cudaReadModeElementType",
+                                has_four_channels(table) ? ", four channels" : ""));
+}
+
 // What must be said of the texture for it to be read as it was measured.
-std::vector<std::string> texture_lines(const lut& table, const lut_names& names) {
+std::vector<std::string> texture_lines(const language& l, const lut& table, const lut_names& names) {
     std::vector<std::string> lines = head_lines(table, names);
     lines.push_back(
         fmt::format("{:<9} {}linear numbers (no sRGB decoding), linear filter, clamped, no mipmaps", "table",
                     names.file.empty() ? "" : names.file + ": "));
+    if (l.id == "cuda") add_descriptor(lines, table);
     if (table.subject.by)
         lines.push_back(
             fmt::format("{:<9} the first row is {} = {}; a loader that begins at the bottom turns "
@@ -192,7 +212,9 @@ std::string signature(const language& l, std::string_view parameters, const lut&
 }
 
 std::string function_name(const language& l, const lut& table, const lut_names& names) {
-    return legal_name(l, names.function.empty() ? table.subject.name + "_lut" : names.function);
+    const std::string name =
+        legal_name(l, names.function.empty() ? table.subject.name + "_lut" : names.function);
+    return l.id == "cuda" && name == "fresnel_table" ? name + "_" : name; // the type of a texture
 }
 
 std::string texel_coordinate(const body& b, const std::string& t, std::size_t count) {
@@ -208,7 +230,7 @@ std::string scaling(const body& b, const lut& table) {
 
 void return_texel(body& b, const language& l, const texture_style& style, const lut& table,
                   const std::string& u, const std::string& v) {
-    const bool rgb = table.channels() == 3, wide = rgb || table.format == texel_format::rgba32f;
+    const bool rgb = table.channels() == 3, wide = has_four_channels(table);
     const std::string scale = table.scaled() ? scaling(b, table) : "";
     const std::string read = fmt::format(fmt::runtime(style.read), u, v, wide ? "float4" : "float");
     if (l.id == "osl") {
@@ -298,7 +320,7 @@ std::string sampler_text(std::string_view id, const lut& table, const lut_names&
     const std::string u = b.let("u", texel_coordinate(b, t, table.columns));
     if (table.subject.by) v = b.let("v", texel_coordinate(b, v, table.rows));
     return_texel(b, l, style, table, u, v);
-    return std::string(l.id == "cuda" ? cuda_head : "") + comment_block(texture_lines(table, names)) +
+    return std::string(opening(l)) + comment_block(texture_lines(l, table, names)) +
            signature(l, style.parameters, table, name) + " {\n" + b.text() + "}\n";
 }
 
