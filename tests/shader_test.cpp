@@ -67,6 +67,21 @@ TEST_F(shader, two_texts_pasted_into_one_file_keep_both_functions) {
         }
 }
 
+TEST_F(shader, a_module_of_WGSL_takes_one_text_and_is_told_so) {
+    const std::string said = "// A module takes one such text";
+    for (const char* language : language_names)
+        EXPECT_EQ(text(std::string("schlick f82 --lang ") + language).find(said) != std::string::npos,
+                  std::string(language) == "wgsl");
+    expect_holds(text("--all --lang wgsl"), said);
+    if (!has_command("fresnel-naga")) GTEST_SKIP() << "skipped: no fresnel-naga";
+    const std::string naga =
+        "cd '" + (folder / "work").string() + "' && fresnel-naga --bulk-validate *.wgsl >log 2>&1";
+    write("t.wgsl", text("schlick f82 --lang wgsl"));
+    EXPECT_EQ(std::system(naga.c_str()), 0);
+    write("t.wgsl", text("schlick --lang wgsl") + text("f82 --lang wgsl"));
+    EXPECT_NE(std::system(naga.c_str()), 0);
+}
+
 TEST_F(shader, says_above_each_function_what_it_is_and_where_from) {
     const std::string hlsl = text("f82 --lang hlsl");
     for (const char* piece :

@@ -7,6 +7,8 @@
 // Directions are unit vectors and point away from the surface; the one beside the normal is
 // yours: the view, the light or the half vector with either.
 // Reflectance is of unpolarised light and lies in [0, 1]. RGB values are linear.
+//
+// A module takes one such text, since WGSL has no preprocessor: name all models in one call.
 
 // The cosine between two directions, 0 where they lie on opposite sides.
 //

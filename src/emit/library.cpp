@@ -174,7 +174,7 @@ std::string boundary_type(const language& l) {
 namespace {
 
 std::string head(const language& l, std::string_view made_by) {
-    const std::vector<std::string> lines = {
+    std::vector<std::string> lines = {
         fmt::format("Fresnel reflectance in {}.", l.title),
         fmt::format("Made by `{}`; do not edit.", made_by),
         "",
@@ -185,10 +185,16 @@ std::string head(const language& l, std::string_view made_by) {
         "yours: the view, the light or the half vector with either.",
         "Reflectance is of unpolarised light and lies in [0, 1]. RGB values are linear.",
     };
+    if (l.id == "wgsl") {
+        lines.emplace_back("");
+        lines.emplace_back(
+            "A module takes one such text, since WGSL has no preprocessor: name all models in one call.");
+    }
     return comment_block(lines) + "\n";
 }
 
-// The cosine of two directions and what it needs: once in a file, however many functions are pasted into it.
+// The cosine of two directions and what it needs. Several texts may be pasted into one file, which reads these once; but
+// WGSL has no preprocessor, and takes one text.
 std::string common(const language& l) {
     return once(l, "_common", opening(l) + triple_type(l) + print(l, cosine_function()));
 }

@@ -34,7 +34,7 @@ sole_function sole_text(const language& l, const model_request& wanted, int widt
 
 /// Everything that the model_text of these models needs before it: what the text is and its conventions, the cosine of
 /// two directions, and boundary_type and twofold_text where a model needs them. Several texts may be pasted into one
-/// file: where there is a preprocessor these are read once.
+/// file, which reads these once, but in WGSL, which has no preprocessor: one module, one text.
 std::string preamble(const language& l, std::string_view made_by, std::span<const model_request> models,
                      const style& how = {});
 
