@@ -8,6 +8,7 @@
 #include "analysis/curve.hpp"
 #include "emit/lut_study.hpp"
 #include "emit/lut_text.hpp"
+#include "emit/technique.hpp"
 #include "error.hpp"
 #include "materials/catalog.hpp"
 
@@ -619,6 +620,32 @@ TEST_F(lut_device, a_wrong_texel_shows_there_too) {
     lut table = baked(glass(), 64, "sqrt-cos");
     table.texels[40] += 0.01f;
     EXPECT_GT(device_error(*device, table), 0.009);
+}
+
+// A program of the technique lut, drawn: F in all three channels, of a table of one channel as of one of a colour.
+void expect_drawn(const test::texture_device& device, const model_request& wanted, const std::string& rows,
+                  float by) {
+    const auto text = [&](stage s) {
+        return technique_text(find_dialect("glsl"), find_technique("lut"), wanted, s, "lut_test");
+    };
+    const std::string vertex = text(stage::vertex), fragment = text(stage::fragment);
+    for (const texel_format format : {texel_format::r8, texel_format::r16, texel_format::r16f}) {
+        const lut table = bake(model_subject(wanted.model, wanted.fixed, rows), {"cos", 64, 32, format});
+        for (const float c : {0.05f, 0.3f, 0.71f, 1.0f}) {
+            const std::array<float, 3> F = sample(table, c, by);
+            const std::array<float, 4> color = device.draw(table, vertex, fragment, c, by, rows.c_str());
+            for (std::size_t k = 0; k < 3; ++k)
+                EXPECT_NEAR(color[k], F[table.channels() == 3 ? k : 0], 0.003)
+                    << wanted.model << " " << to_string(format) << " " << c << " " << k;
+        }
+    }
+}
+
+TEST_F(lut_device, a_program_draws_with_the_table_that_it_names) {
+    expect_drawn(*device, {"dielectric", one("n_t", 1.5)}, "", 0);
+    expect_drawn(*device, {"dielectric"}, "eta", 1.7f);
+    expect_drawn(*device, {"schlick"}, "f0", 0.4f);
+    expect_drawn(*device, {"schlick", {{"f0", {1, 0.78, 0.34}}}}, "", 0);
 }
 
 TEST_F(lut_command, a_material_s_text_cites_the_measurement) {

@@ -18,14 +18,44 @@ namespace {
 
 using emit::stage;
 
+// A table has rows for f0 or n_t alone: the other parameters of its model have their usual values.
+emit::model_request usual_request(std::string_view technique, const std::string& model) {
+    emit::model_request request{model};
+    if (technique != "lut") return request;
+    for (const parameter& p : find_model<double>(model).parameters)
+        if (p.name != "f0" && p.name != "n_t" && p.name != "n_i")
+            request.fixed[std::string(p.name)].fill(p.default_value);
+    return request;
+}
+
 std::string program_text(std::string_view dialect, std::string_view technique, const std::string& model,
                          stage stages = stage::both) {
-    return emit::technique_text(emit::find_dialect(dialect), emit::find_technique(technique), {model}, stages,
+    return emit::technique_text(emit::find_dialect(dialect), emit::find_technique(technique),
+                                usual_request(technique, model), stages, "technique_test");
+}
+
+std::string text_of(std::string_view dialect, std::string_view technique, const emit::model_request& wanted,
+                    stage stages = stage::both) {
+    return emit::technique_text(emit::find_dialect(dialect), emit::find_technique(technique), wanted, stages,
                                 "technique_test");
 }
 
 bool contains(const std::string& text, std::string_view piece) {
     return text.find(piece) != std::string::npos;
+}
+
+// ---- Metal ----
+
+const std::string metal_head = "#include <metal_stdlib>\n";
+const std::string clang_for_metal =
+    std::string("clang++-19 -std=c++14 -fsyntax-only -nostdinc -isystem ") + FRESNEL_SOURCE_DIR +
+    "/tests/metal -Wall -Wextra -Wno-unused-parameter -Wno-unknown-attributes -Werror all.cpp";
+
+// One of many programs in a text that has the header once.
+std::string in_namespace(std::string text, int number) {
+    EXPECT_TRUE(contains(text, metal_head));
+    text.erase(text.find(metal_head), metal_head.size());
+    return fmt::format("namespace program_{} {{\n{}}}\n", number, text);
 }
 
 class techniques : public shader_test {
@@ -36,8 +66,9 @@ protected:
     void for_each_program(bool few, Body&& body) {
         for (const emit::technique& t : emit::techniques())
             for (const model_row<double>& row : model_table<double>())
-                if (!few || t.name == "per-pixel" || t.name == "per-vertex" || row.name == "schlick" ||
-                    row.name == "dielectric")
+                if ((!few || t.name == "per-pixel" || t.name == "per-vertex" || row.name == "schlick" ||
+                     row.name == "dielectric") &&
+                    !(t.name == "lut" && row.name == "schlick_internal")) // has a critical angle
                     body(std::string(t.name), std::string(row.name));
     }
 
@@ -51,7 +82,7 @@ protected:
             write(name + ".frag", program_text(dialect, technique, model, stage::fragment));
             ++programs;
         });
-        EXPECT_EQ(programs, 7 * 26);
+        EXPECT_EQ(programs, 7 * 26 - 1);
         EXPECT_EQ(complaints("glslangValidator *.vert *.frag | (! grep -E 'ERROR|error')"), "");
         // both stages meet, and glslang's instructions are valid
         for (const std::string model : {"schlick", "dielectric", "gulbrandsen"})
@@ -102,23 +133,15 @@ TEST_F(techniques, every_program_compiles_as_WGSL) {
 // in one text, with a header of ours.
 TEST_F(techniques, every_program_is_MSL_as_far_as_clang_can_tell) {
     if (!has_command("clang++-19")) GTEST_SKIP() << "skipped: no clang++-19";
-    const std::string command =
-        std::string("clang++-19 -std=c++14 -fsyntax-only -nostdinc -isystem ") + FRESNEL_SOURCE_DIR +
-        "/tests/metal -Wall -Wextra -Wno-unused-parameter -Wno-unknown-attributes -Werror "
-        "all.cpp";
-    std::string all = "#include <metal_stdlib>\n";
+    std::string all = metal_head;
     int count = 0;
     for_each_program(false, [&](const std::string& technique, const std::string& model) {
-        std::string text = program_text("msl", technique, model);
-        const std::string opening = "#include <metal_stdlib>\n";
-        ASSERT_TRUE(contains(text, opening));
-        text.erase(text.find(opening), opening.size());
-        all += fmt::format("namespace program_{} {{\n{}}}\n", count++, text);
+        all += in_namespace(program_text("msl", technique, model), count++);
     });
     write("all.cpp", all);
-    EXPECT_EQ(complaints(command), "");
+    EXPECT_EQ(complaints(clang_for_metal), "");
     write("all.cpp", all.replace(all.rfind("u.ambient_color"), 15, "u.ambient_colour"));
-    EXPECT_TRUE(contains(complaints(command), "ambient_colour"));
+    EXPECT_TRUE(contains(complaints(clang_for_metal), "ambient_colour"));
 }
 
 TEST_F(techniques, a_function_may_be_called_whatever_a_program_holds) {
@@ -227,7 +250,43 @@ TEST_F(techniques, a_table_has_rows_where_one_parameter_is_left) {
     const std::string one_row = text({"schlick", {{"f0", {1, 0.78, 0.34}}}});
     EXPECT_FALSE(contains(one_row, "table_range"));
     EXPECT_TRUE(contains(one_row, "`fresnel lut schlick --fix f0=1,0.78,0.34 --map cos` bakes it"));
-    EXPECT_FALSE(contains(text({"f82"}), "table_range"));
+    EXPECT_TRUE(
+        contains(text({"f82", {{"f82", {0.9, 0.9, 0.9}}}}), "--fix f82=0.9 --by f0 --map cos` bakes"));
+}
+
+// A table has one channel unless a constant is a colour; the others are 0 where it is read.
+TEST_F(techniques, a_table_is_read_in_the_channels_that_it_has) {
+    for (const emit::dialect& d : emit::dialects()) {
+        const auto fragment = [&](const emit::model_request& wanted) {
+            return text_of(d.id, "lut", wanted, stage::fragment);
+        };
+        const auto reads = [&](const std::string& text, emit::shape type, std::string_view channels) {
+            const std::string F = d.id == "wgsl" ? "let" : std::string(d.type(type));
+            return std::regex_search(text,
+                                     std::regex(fmt::format("{} F = .*fresnel_table.*\\.{};", F, channels)));
+        };
+        for (const emit::model_request& wanted :
+             std::vector<emit::model_request>{{"schlick"},
+                                              {"dielectric"},
+                                              {"schlick", {{"f0", {0.04, 0.04, 0.04}}}},
+                                              {"conductor", {{"n_t", {1, 1, 1}}, {"k_t", {3, 3, 3}}}}})
+            EXPECT_TRUE(reads(fragment(wanted), emit::shape::scalar, "r")) << d.id << fragment(wanted);
+        for (const emit::model_request& wanted : std::vector<emit::model_request>{
+                 {"schlick", {{"f0", {1, 0.78, 0.34}}}}, {"f82", {{"f82", {1, 0.9, 0.8}}}}})
+            EXPECT_TRUE(reads(fragment(wanted), emit::shape::three, "rgb")) << d.id << fragment(wanted);
+    }
+}
+
+TEST_F(techniques, a_table_of_colours_is_read_as_WGSL_and_HLSL_too) {
+    const emit::model_request gold{"schlick", {{"f0", {1, 0.78, 0.34}}}};
+    if (has_command("fresnel-naga")) {
+        write("p.wgsl", text_of("wgsl", "lut", gold));
+        EXPECT_EQ(complaints("fresnel-naga --bulk-validate *.wgsl"), "");
+    }
+    if (has_command("glslangValidator")) {
+        write("p.hlsl", text_of("hlsl", "lut", gold));
+        EXPECT_EQ(complaints("glslangValidator -D -V -S frag -e fragment_main -o f.spv p.hlsl"), "");
+    }
 }
 
 TEST_F(techniques, a_name_of_the_program_is_not_taken_twice) {
@@ -255,6 +314,44 @@ TEST_F(technique_command, prints_one_stage_or_both) {
     EXPECT_EQ(vertex.rfind("#version 330 core\n", 0), 0u);
     EXPECT_TRUE(contains(vertex, "gl_Position"));
     EXPECT_TRUE(contains(run("shader schlick --technique lut --lang cg").out, "tex2D(fresnel_table"));
+}
+
+// The command that a program prints bakes the table that it reads.
+TEST_F(technique_command, the_command_in_a_program_bakes_its_table) {
+    for (const auto& [wanted, channels] : std::vector<std::pair<std::string, int>>{
+             {"schlick", 1},
+             {"dielectric", 1},
+             {"dielectric --fix n_i=1.33 --fix n_t=1.5", 1},
+             {"conductor --fix k_t=3", 1},
+             {"gulbrandsen --material gold", 3},
+             {"f82 --material copper", 3},
+             {"f82 --fix f82=0.9", 1},
+             {"hoffman --fix f82=0.9,0.8,0.7 --fix f90=1 --fix power=5", 3},
+             {"schlick --fix f0=1,0.78,0.34", 3},
+             {"one_minus_cos", 1}}) {
+        const std::string text = run("shader " + wanted + " --technique lut --stage fragment").out;
+        const std::size_t begin = text.find("`fresnel lut "), end = text.find('`', begin + 1);
+        ASSERT_NE(end, std::string::npos) << wanted << text;
+        const nlohmann::json table = json(text.substr(begin + 9, end - begin - 9) + " --json");
+        EXPECT_EQ(table["channels"], channels) << wanted;
+        EXPECT_EQ(table["map"], "cos") << wanted;
+        EXPECT_EQ(contains(text, "vec3 F = "), channels == 3) << text;
+        EXPECT_EQ(!table["by"].is_null(), contains(text, "table_range")) << text;
+    }
+}
+
+TEST_F(technique_command, a_table_that_cannot_be_baked_is_refused) {
+    expect_refused("shader conductor --technique lut",
+                   {"--technique lut", "n_t and k_t", "--fix n_t=VALUE --fix k_t=VALUE"});
+    expect_refused("shader conductor --technique lut --fix n_t=0.2", {"leaves k_t open", "--fix k_t"});
+    expect_refused("shader bias_scale_power --technique lut", {"bias and scale and power", "--fix"});
+    expect_refused("shader gulbrandsen --technique lut --fix r=0.9", {"leaves g open", "--material"});
+    expect_refused("shader schlick_internal --technique lut", {"schlick_internal", "critical angle"});
+    expect_refused("shader schlick_internal --technique lut --fix eta=0.7",
+                   {"critical angle", "--fix eta=0.7`"});
+    expect_refused(
+        "shader dielectric --technique lut --fix n_i=1.5 --fix n_t=1",
+        {"n_i = 1.5, n_t = 1", "critical angle", "fresnel lut dielectric --fix n_i=1.5 --fix n_t=1`"});
 }
 
 TEST_F(technique_command, bad_input_is_refused) {

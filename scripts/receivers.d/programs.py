@@ -15,8 +15,9 @@ STUBS = Path(__file__).resolve().parents[2] / "tests" / "unity"
 def programs(language, models, few):
     """Each of the models per pixel, and a few by every technique; what stands around a model is the same for all."""
     every = [(model, "per-pixel") for model in models]
-    every += [(model, technique) for technique in TECHNIQUES if technique != "per-pixel" for model in few]
-    return {f"{technique}_{model}": corpus.shader(f"{model} --technique {technique}", language)
+    every += [(model, technique) for technique in TECHNIQUES if technique not in ("per-pixel", "lut") for model in few]
+    every += [("schlick", "lut"), ("schlick --fix f0=1,0.78,0.34", "lut")]
+    return {re.sub(r"[^\w-]+", "_", f"{technique}_{model}"): corpus.shader(f"{model} --technique {technique}", language)
             for model, technique in every}
 
 

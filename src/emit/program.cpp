@@ -20,25 +20,25 @@ constexpr std::array<std::string_view, 8> msl_types = {
 constexpr std::array<std::string_view, 8> wgsl_types = {
     "f32", "vec2f", "vec3f", "vec4f", "mat3x3f", "mat4x4f", "texture_2d<f32>", "texture_cube<f32>"};
 
-constexpr std::string_view glsl_read = "texture({}, {}).rgb",
-                           object_read = "{0}.Sample({0}_sampler, {1}).rgb",
-                           msl_read = "{0}.sample({0}_sampler, {1}).rgb",
-                           wgsl_read = "textureSample({0}, {0}_sampler, {1}).rgb";
+constexpr std::string_view glsl_read = "texture({}, {})", object_read = "{0}.Sample({0}_sampler, {1})",
+                           msl_read = "{0}.sample({0}_sampler, {1})",
+                           wgsl_read = "textureSample({0}, {0}_sampler, {1})";
 
 constexpr std::array all = {
-    dialect{"glsl", "glsl", "GLSL 3.30", glsl_types, "", "", glsl_read, glsl_read, "mix", true, false, false},
+    dialect{"glsl", "glsl", "GLSL 3.30", glsl_types, "", "", glsl_read, glsl_read, "mix", true, false, false,
+            false},
     dialect{"essl", "essl", "GLSL ES 3.00", glsl_types, "", "", glsl_read, glsl_read, "mix", true, false,
-            false},
+            false, false},
     dialect{"hlsl", "hlsl", "HLSL, shader model 4 and later", hlsl_types, "input.", "", object_read,
-            object_read, "lerp", false, true, false},
-    dialect{"cg", "hlsl", "HLSL, shader models 2 and 3, and Cg", cg_types, "input.", "", "tex2D({}, {}).rgb",
-            "texCUBE({}, {}).rgb", "lerp", false, true, false},
+            object_read, "lerp", false, true, false, true},
+    dialect{"cg", "hlsl", "HLSL, shader models 2 and 3, and Cg", cg_types, "input.", "", "tex2D({}, {})",
+            "texCUBE({}, {})", "lerp", false, true, false, false},
     dialect{"slang", "slang", "Slang", hlsl_types, "input.", "", object_read, object_read, "lerp", false,
-            true, false},
+            true, false, true},
     dialect{"msl", "msl", "Metal shading language", msl_types, "input.", "u.", msl_read, msl_read, "mix",
-            false, false, true},
+            false, false, true, true},
     dialect{"wgsl", "wgsl", "WGSL", wgsl_types, "input.", "u.", wgsl_read, wgsl_read, "mix", false, false,
-            false},
+            false, true},
 };
 
 // Lines of code, the comments behind them in one column.
@@ -154,10 +154,11 @@ std::string program::mix(const std::string& a, const std::string& b, const std::
     return emit::call(std::string(d_.mix), {a, b, splat ? made(shape::three, {weight}) : weight});
 }
 
-std::string program::sample(std::string_view texture, const std::string& coordinate) {
+std::string program::sample(std::string_view texture, const std::string& coordinate, shape read) {
     const std::string name = use(texture);
     const bool cube = find(uniforms_, texture).what.type == shape::cube;
-    return fmt::format(fmt::runtime(cube ? d_.sample_cube : d_.sample_map), name, coordinate);
+    return fmt::format(fmt::runtime(cube ? d_.sample_cube : d_.sample_map), name, coordinate) +
+           (read == shape::scalar ? ".r" : ".rgb");
 }
 
 std::string program::limited(const std::string& value) const {

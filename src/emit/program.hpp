@@ -37,6 +37,7 @@ struct dialect {
     bool apart;        ///< each stage is a text of its own
     bool mul;          ///< mul(M, v) for M * v
     bool splat_weight; ///< the weight of a mix must have the width of what it mixes
+    bool samplers;     ///< beside each texture stands its sampler, NAME_sampler
 
     const language& own() const { return find_language(functions); }
     std::string_view type(shape s) const { return types[static_cast<std::size_t>(s)]; }
@@ -78,8 +79,8 @@ public:
     /// a where the weight is 0, b where it is 1; both have three components.
     std::string mix(const std::string& a, const std::string& b, const std::string& weight,
                     shape of_weight) const;
-    /// Three components of a texture.
-    std::string sample(std::string_view texture, const std::string& coordinate);
+    /// Three components of a texture, or for a scalar its first one.
+    std::string sample(std::string_view texture, const std::string& coordinate, shape read = shape::three);
     /// A value limited to [0, 1].
     std::string limited(const std::string& value) const;
     std::string number(float x) const;

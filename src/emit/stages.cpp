@@ -198,7 +198,7 @@ void at_vertices(program& p, const reflectance& model) {
     lerp_by(p, p.in("reflectance"), model.type);
 }
 
-void from_a_table(program& p, const std::string& rows) {
+void from_a_table(program& p, const std::string& rows, shape type) {
     if (!rows.empty()) p.uniform({rows, shape::scalar, rows == "f0" ? "[0, 1]" : "n_t / n_i"});
     place(p, normals::of_a_map, true);
     find_normal(p, normals::of_a_map);
@@ -214,8 +214,8 @@ void from_a_table(program& p, const std::string& rows) {
                     fmt::format("(({0} - {1}.x) / ({1}.y - {1}.x) * ({2}.y - {3}) + {4}) / {2}.y",
                                 p.use(rows), range, size, one, half));
     }
-    p.let(shape::three, "F", p.sample("fresnel_table", p.made(shape::two, {"column", row})));
-    lerp_by(p, "F", shape::three);
+    p.let(type, "F", p.sample("fresnel_table", p.made(shape::two, {"column", row}), type));
+    lerp_by(p, "F", type);
 }
 
 void highlights(program& p, const reflectance& model) {

@@ -25,8 +25,8 @@ reflectance declare_model(program& p, const model_request& wanted);
 /// The vertex and the fragment stage of each technique (techniques()); `how` is none, one-minus-cos or per-pixel.
 void at_pixels(program& p, const reflectance& model, std::string_view how);
 void at_vertices(program& p, const reflectance& model);
-/// `rows` is the parameter that the rows of the table stand for, if any.
-void from_a_table(program& p, const std::string& rows);
+/// `rows` is the parameter that the rows of the table stand for, if any; `type` is scalar for a table of one channel.
+void from_a_table(program& p, const std::string& rows, shape type);
 void highlights(program& p, const reflectance& model);
 void semitransparent(program& p, const reflectance& model);
 

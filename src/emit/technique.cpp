@@ -1,5 +1,6 @@
 #include "emit/technique.hpp"
 
+#include "emit/lut.hpp"
 #include "emit/stages.hpp"
 #include "error.hpp"
 
@@ -61,37 +62,85 @@ constexpr std::array ours = {"main",
                              "texcoord",
                              "one_minus_cos"};
 
-/// What a table's rows stand for: the one parameter that is left to the user, if it is f0 or the index of a dielectric.
+// ---- the table of a program -----------------------------------------------------------------------------------
+
+// Numbers with the digits of a float, which tell whether a command gives three channels.
+fixed_values short_numbers(fixed_values fixed) {
+    for (auto& [name, values] : fixed)
+        for (double& x : values)
+            x = std::stod(fmt::format("{}", static_cast<float>(x)));
+    return fixed;
+}
+
+// The command that bakes it.
+std::string baking(const std::string& model, const fixed_values& fixed, const std::string& rows) {
+    std::string command = "fresnel lut " + model;
+    for (const auto& [name, v] : fixed)
+        command += v[0] == v[1] && v[1] == v[2] ? fmt::format(" --fix {}={}", name, v[0])
+                                                : fmt::format(" --fix {}={}", name, fmt::join(v, ","));
+    return command + (rows.empty() ? "" : " --by " + rows);
+}
+
+// Of a program that reads a table by cos_i alone.
+[[noreturn]] void refuse_critical_angle(const std::string& what, const std::string& command) {
+    throw bad_input(fmt::format("--technique lut: {} has a critical angle, where reflectance ends like a "
+                                "square root, which a table even in cos_i does not follow; `{}` prints a "
+                                "function that does",
+                                what, command));
+}
+
+// Only approximations have the constants of a material.
+[[noreturn]] void refuse_open(const std::string& model, const std::vector<std::string_view>& left) {
+    const bool fitted = find_model<double>(model).kind == model_kind::approximation;
+    throw bad_input(fmt::format("--technique lut: {} leaves {} open, and the rows of a table stand for f0 or "
+                                "n_t alone: fix {} by --fix {}=VALUE{}",
+                                model, fmt::join(left, " and "), left.size() == 1 ? "it" : "them",
+                                fmt::join(left, "=VALUE --fix "), fitted ? " or by --material" : ""));
+}
+
+/// What a table's rows stand for: the one parameter that is left to the user, f0 or the index of a dielectric; none where
+/// all are fixed.
 std::string row_parameter(const model_request& wanted) {
-    std::string left;
-    for (const parameter& p : find_model<double>(wanted.model).parameters) {
-        if (wanted.fixed.contains(std::string(p.name)) || p.name == "n_i") continue;
-        if (!left.empty()) return {};
-        left = p.name;
-    }
-    if (left == "f0") return left;
-    return left == "n_t" || left == "eta" ? "eta" : "";
+    std::vector<std::string_view> left;
+    for (const parameter& p : find_model<double>(wanted.model).parameters)
+        if (!wanted.fixed.contains(std::string(p.name)) && p.name != "n_i") left.push_back(p.name);
+    if (left.empty()) return {};
+    if (left.front() == "eta")
+        refuse_critical_angle(wanted.model, fmt::format("fresnel lut {} --fix eta=ETA", wanted.model));
+    if (left.size() == 1 && left.front() == "f0") return "f0";
+    if (left.size() == 1 && left.front() == "n_t") return "eta";
+    refuse_open(wanted.model, left);
+}
+
+/// What a program reads: the table that its head says how to bake.
+struct program_table {
+    std::string rows, command;
+    shape type = shape::three;
+};
+
+program_table table_of(const model_request& wanted) {
+    record(wanted.model, {1, false, wanted.fixed}); // its name and its parameters are checked
+    const fixed_values fixed = short_numbers(wanted.fixed);
+    program_table table;
+    table.rows = row_parameter(wanted);
+    table.command = baking(wanted.model, fixed, table.rows);
+    const lut_subject subject = model_subject(wanted.model, fixed, table.rows);
+    if (subject.critical > 0) refuse_critical_angle(subject.caption, table.command);
+    if (subject.channels == 1) table.type = shape::scalar;
+    return table;
 }
 
 // ---- the head -----------------------------------------------------------------------------------------------
 
-// The command that bakes the table of a program.
-std::string baking(const model_request& wanted, const std::string& rows) {
-    std::string command = "fresnel lut " + wanted.model;
-    for (const auto& [name, values] : wanted.fixed) {
-        const std::vector<float> v(values.begin(), values.end());
-        command += v[0] == v[1] && v[1] == v[2] ? fmt::format(" --fix {}={}", name, v[0])
-                                                : fmt::format(" --fix {}={}", name, fmt::join(v, ","));
-    }
-    return command + (rows.empty() ? "" : " --by " + rows) + " --map cos";
+std::vector<std::string> table_lines(const program_table& table) {
+    return {table.rows.empty()
+                ? "The texture is one row against cos_i:"
+                : fmt::format("The texture has cos_i along its rows, a row for each {}:", table.rows),
+            fmt::format("`{} --map cos` bakes it.", table.command),
+            table.type == shape::scalar ? "It has one channel." : "Its channels are those of a colour."};
 }
 
-std::vector<std::string> technique_lines(std::string_view how, const model_request& wanted,
-                                         const std::string& rows) {
-    if (how == "lut")
-        return {rows.empty() ? "The texture is one row against cos_i:"
-                             : fmt::format("The texture has cos_i along its rows, a row for each {}:", rows),
-                fmt::format("`{}` bakes it.", baking(wanted, rows))};
+std::vector<std::string> technique_lines(std::string_view how) {
     if (how == "highlights")
         return {"Draw once for each light, from the second on with ambient_color 0 and blending ONE, ONE."};
     if (how == "semitransparent")
@@ -101,12 +150,11 @@ std::vector<std::string> technique_lines(std::string_view how, const model_reque
     return {};
 }
 
-std::vector<std::string> head(const dialect& d, const technique& how, const model_request& wanted,
-                              std::string_view made_by, const std::string& rows) {
+std::vector<std::string> head(const dialect& d, const technique& how, std::string_view made_by,
+                              const std::vector<std::string>& particular) {
     std::vector<std::string> lines = {fmt::format("Fresnel reflectance in two stages: {}.", how.summary),
                                       fmt::format("{}. Made by `{}`; do not edit.", d.title, made_by), ""};
-    for (const std::string& line : technique_lines(how.name, wanted, rows))
-        lines.push_back(line);
+    lines.insert(lines.end(), particular.begin(), particular.end());
     lines.emplace_back("Colours are linear, and directions point away from the surface.");
     if (d.id == "hlsl" || d.id == "cg")
         lines.emplace_back("Matrices stand before the vectors that they transform: mul(M, v).");
@@ -160,15 +208,14 @@ std::string name_in_program(const dialect& d, const model_request& wanted) {
 std::string technique_text(const dialect& d, const technique& how, const model_request& given, stage stages,
                            std::string_view made_by) {
     const model_request wanted = freely_named(d, given);
-    const std::string rows = how.name == "lut" ? row_parameter(wanted) : "";
     program p(d);
     declare_inputs(p);
     declare_functions(p);
     if (how.name == "lut") {
-        record(wanted.model, {1, false, wanted.fixed}); // its name and its parameters are checked
+        const program_table table = table_of(wanted);
         declare_textures(p);
-        from_a_table(p, rows);
-        return p.text(head(d, how, wanted, made_by, rows), stages);
+        from_a_table(p, table.rows, table.type);
+        return p.text(head(d, how, made_by, table_lines(table)), stages);
     }
     const reflectance model = declare_model(p, wanted);
     declare_textures(p);
@@ -180,7 +227,7 @@ std::string technique_text(const dialect& d, const technique& how, const model_r
         semitransparent(p, model);
     else
         at_pixels(p, model, how.name);
-    return p.text(head(d, how, wanted, made_by, rows), stages);
+    return p.text(head(d, how, made_by, technique_lines(how.name)), stages);
 }
 
 } // namespace fresnel::emit
