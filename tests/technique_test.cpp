@@ -144,29 +144,74 @@ TEST_F(techniques, every_program_is_MSL_as_far_as_clang_can_tell) {
     EXPECT_TRUE(contains(complaints(clang_for_metal), "ambient_colour"));
 }
 
-TEST_F(techniques, a_function_may_be_called_whatever_a_program_holds) {
-    if (!has_command("glslangValidator")) GTEST_SKIP() << "skipped: no glslangValidator";
-    const emit::dialect& glsl = emit::find_dialect("glsl");
+// The words of the programs that call the function.
+std::set<std::string> words_of_programs(std::string_view dialect, std::string_view technique) {
+    const std::string usual = program_text(dialect, technique, "schlick");
     const std::regex word("[A-Za-z]\\w*");
+    std::set<std::string> names;
+    for (auto at = std::sregex_iterator(usual.begin(), usual.end(), word); at != std::sregex_iterator(); ++at)
+        names.insert(at->str());
+    return names;
+}
+
+template <class Body>
+void for_each_named_program(std::string_view dialect, Body&& body) {
     int programs = 0;
-    for (const emit::technique& t : emit::techniques()) {
-        if (t.name == "none" || t.name == "one-minus-cos" || t.name == "lut")
-            continue; // without the function
-        const std::string usual = program_text("glsl", t.name, "schlick");
-        std::set<std::string> names;
-        for (auto at = std::sregex_iterator(usual.begin(), usual.end(), word); at != std::sregex_iterator();
-             ++at)
-            names.insert(at->str());
-        for (const std::string& name : names) {
-            const emit::model_request request{"schlick", {}, name};
-            const std::string file = fmt::format("{}_{}", t.name, programs);
-            write(file + ".vert", emit::technique_text(glsl, t, request, stage::vertex, "technique_test"));
-            write(file + ".frag", emit::technique_text(glsl, t, request, stage::fragment, "technique_test"));
+    for (const std::string_view technique : {"per-vertex", "per-pixel", "highlights", "semitransparent"})
+        for (const std::string& name : words_of_programs(dialect, technique)) {
+            body(fmt::format("{}_{}", technique, programs), technique,
+                 emit::model_request{"schlick", {}, name});
             ++programs;
         }
+    EXPECT_GT(programs, 300) << dialect;
+}
+
+TEST_F(techniques, a_function_may_be_called_whatever_a_program_holds) {
+    if (!has_command("glslangValidator")) GTEST_SKIP() << "skipped: no glslangValidator";
+    for (const std::string_view dialect : {"glsl", "essl"}) {
+        for_each_named_program(dialect, [&](const std::string& file, auto technique, const auto& request) {
+            write(file + ".vert", text_of(dialect, technique, request, stage::vertex));
+            write(file + ".frag", text_of(dialect, technique, request, stage::fragment));
+        });
+        EXPECT_EQ(complaints("glslangValidator *.vert *.frag | (! grep -E 'ERROR|error')"), "") << dialect;
     }
-    EXPECT_GT(programs, 300);
-    EXPECT_EQ(complaints("glslangValidator *.vert *.frag | (! grep -E 'ERROR|error')"), "");
+}
+
+// glslang takes one file of HLSL at a time: of two techniques the stage that calls the function.
+TEST_F(techniques, a_function_may_be_called_whatever_a_program_in_HLSL_holds) {
+    if (!has_command("glslangValidator")) GTEST_SKIP() << "skipped: no glslangValidator";
+    for (const std::string_view dialect : {"hlsl", "cg"}) {
+        for_each_named_program(dialect, [&](const std::string& file, auto technique, const auto& request) {
+            if (technique == "per-vertex") write(file + ".vert", text_of(dialect, technique, request));
+            if (technique == "per-pixel") write(file + ".frag", text_of(dialect, technique, request));
+        });
+        for (const auto& [files, entry] : {std::pair{"*.vert", "vertex_main"}, {"*.frag", "fragment_main"}})
+            EXPECT_EQ(
+                complaints(fmt::format("ls {} | xargs -P 2 -I FILE glslangValidator -D -V -e {} -o FILE.spv "
+                                       "FILE | (! grep ERROR)",
+                                       files, entry)),
+                "")
+                << dialect;
+    }
+}
+
+TEST_F(techniques, a_function_may_be_called_whatever_a_program_in_WGSL_holds) {
+    if (!has_command("fresnel-naga")) GTEST_SKIP() << "skipped: no fresnel-naga";
+    for_each_named_program("wgsl", [&](const std::string& file, auto technique, const auto& request) {
+        write(file + ".wgsl", text_of("wgsl", technique, request));
+    });
+    EXPECT_EQ(complaints("fresnel-naga --bulk-validate *.wgsl"), "");
+}
+
+TEST_F(techniques, a_function_may_be_called_whatever_a_program_in_MSL_holds) {
+    if (!has_command("clang++-19")) GTEST_SKIP() << "skipped: no clang++-19";
+    std::string all = metal_head;
+    int count = 0;
+    for_each_named_program("msl", [&](const std::string&, auto technique, const auto& request) {
+        all += in_namespace(text_of("msl", technique, request), count++);
+    });
+    write("all.cpp", all);
+    EXPECT_EQ(complaints(clang_for_metal), "");
 }
 
 TEST_F(techniques, each_stage_of_a_joint_text_is_whole_too) {

@@ -102,7 +102,8 @@ program::item& program::find(std::vector<item>& items, std::string_view name) {
 bool program::declares(std::string_view name) const {
     for (const auto* items : {&uniforms_, &attributes_, &varyings_})
         for (const item& x : *items)
-            if (x.what.name == name) return true;
+            if (x.what.name == name || (x.is_texture() && d_.samplers && x.what.name + "_sampler" == name))
+                return true;
     for (const helper& x : helpers_)
         if (x.name == name) return true;
     return false;

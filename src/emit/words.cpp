@@ -92,7 +92,8 @@ constexpr std::string_view msl_words =
     "normalize reflect refract rsqrt saturate select sign smoothstep step float2 float3 float4 bool2 "
     "bool3 bool4 uint2 uint3 uint4 int2 int3 int4 access matrix visible intersection raytracing patch "
     "M_PI_F M_E_F uchar ushort ulong size_t powr divide copysign fdim fmax fmin fmod nextafter fmax3 "
-    "fmin3 fmedian3 max3 min3 median3 exp10 sinpi cospi tanpi ";
+    "fmin3 fmedian3 max3 min3 median3 exp10 sinpi cospi tanpi texturecube texturecube_array depthcube "
+    "depthcube_array ";
 
 // https://www.w3.org/TR/WGSL/ sections 15.1, 15.2 and 17, and what older versions of it kept
 constexpr std::string_view wgsl_words =
