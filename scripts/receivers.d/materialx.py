@@ -13,6 +13,12 @@ from receiver import SLANGC, Receiver, add, need, pip, run
 from wgsl import naga_says, tint_says
 
 PROGRAMS = Path(__file__).parent / "programs"
+METAL_HEADER = Path(__file__).resolve().parents[2] / "tests" / "metal"
+METAL = """#include <metal_stdlib>
+#define thread
+using namespace metal;
+struct surfaceshader { float3 color, transparency; };
+"""
 PACKAGES = ["materialx==1.39.5", "shadewire==0.3.0", SLANGC]
 
 
@@ -44,7 +50,9 @@ class MaterialX(Receiver):
         self.skipped = []
         if self.bpy is None:
             self.skipped.append("osl: no oslc, which ./test --receivers installs")
-        self.skipped.append("msl: no Metal compiler")
+        self.clang = shutil.which("clang++-19")
+        if self.clang is None:
+            self.skipped.append("msl: no clang++-19, which scripts/setup installs")
 
     def version(self):
         return "MaterialX 1.39.5 (glsl essl vulkan wgsl osl msl slang), glslang, naga, Tint, slangc"
@@ -79,6 +87,15 @@ class MaterialX(Receiver):
         return self.said(self.slangc, source, "-target", "glsl", "-stage", stage, "-entry", f"{stage}Main", "-o",
                          f"{source}.glsl")
 
+    def msl(self, file):
+        """By clang and the tests' header of Metal's: the functions, without what MaterialX has around them."""
+        text = file.read_text()
+        end = text.index("    PixelOutputs FragmentMain()")
+        source = file.with_suffix(".cpp")
+        source.write_text(METAL + text[text.rindex("    float4 out1;\n", 0, end):end])
+        return self.said(self.clang, "-std=c++14", "-fsyntax-only", "-nostdinc", "-isystem", METAL_HEADER,
+                         "-Wno-unknown-attributes", source)
+
     def osl(self, files):
         """All at once: Blender takes a second to start."""
         library = self.packages / "MaterialX/libraries/stdlib/genosl/include"
@@ -95,6 +112,8 @@ class MaterialX(Receiver):
     def refusals(self, out):
         """What the compilers say against the files of a folder that MaterialX made."""
         jobs = {"glsl": self.plain, "essl": self.plain, "vulkan": self.spirv, "wgsl": self.wgsl, "slang": self.slang}
+        if self.clang:
+            jobs["msl"] = self.msl
         found, count = [], 0
         for target, compile_one in jobs.items():
             files = [f for f in sorted((out / target).glob("*")) if self.is_wanted(target, f)]
@@ -117,6 +136,8 @@ class MaterialX(Receiver):
     @staticmethod
     def is_wanted(target, file):
         """The vertex stage is the same for every node; Slang takes a second for each file."""
+        if target == "msl" and file.suffix != ".frag":
+            return False
         one_node = file.name.startswith("ND_")
         return not one_node or (file.suffix == ".frag" and (target != "slang" or "boundary" in file.name))
 
@@ -173,6 +194,10 @@ class MaterialX(Receiver):
         yield "a graph that gives an input of another type", *copy(
             "input", f"{library}/fresnel_ng.mtlx", 'name="tint" type="color3" interfacename',
             'name="tint" type="vector2" interfacename')
+        if self.clang:
+            yield "a struct's constructor, in Metal", *copy(
+                "metal", f"{library}/genglsl/mx_fresnel_dielectric_boundary.glsl", "fresnel_boundary result;",
+                "fresnel_boundary result = fresnel_boundary(0.0, 0.0, 0.0, 0.0);")
         if self.bpy:
             yield "an unknown name, in OSL", *copy(
                 "osl", f"{library}/genosl/mx_fresnel_schlick.osl", "float x = 1.0 - cos_i", "float x = 1.0 - cos_j")
@@ -191,6 +216,8 @@ class MaterialX(Receiver):
         """Against the shader that holds all nodes, which is enough to see a fault."""
         found = [s for target in ("glsl", "vulkan") if (s := self.spirv(out / target / "all.frag")
                                                         if target == "vulkan" else self.plain(out / target / "all.frag"))]
+        if self.clang and (s := self.msl(out / "msl/all.frag")):
+            found.append(s)
         return found + ([s for s in self.osl([out / "osl/all.frag"]) if s] if self.bpy else [])
 
     # ---- the check
@@ -211,4 +238,4 @@ class MaterialX(Receiver):
         if made["definitions"] < 100:
             failures.append(f"only {made['definitions']} definitions of nodes were found")
         return {"functions": made["definitions"], "files": files, "names": 0, "refused": faults,
-                "failures": [receiver.shortened(f) for f in failures], "note": f"; shadewire read {read} graphs; left out: {'; '.join(self.skipped)}"}
+                "failures": [receiver.shortened(f) for f in failures], "note": f"; shadewire read {read} graphs; left out: {'; '.join(self.skipped) or 'nothing'}"}
