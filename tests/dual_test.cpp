@@ -165,9 +165,10 @@ TEST(dual, keeps_the_slope_at_grazing_incidence_and_at_an_index_match) {
 
 TEST(dual, is_right_where_re_q2_is_exactly_0) {
     // n = k straight on, and n_t = n_i with k = cos_i: |Re q^2| and the choice between Re q and Im q both turn here
-    for (const auto& [n, k, c] :
+    for (const std::array<double, 3>& at :
          {std::array{3.0, 3.0, 1.0}, {0.5, 0.5, 1.0}, {0.25, 0.25, 1.0}, {1.0, 0.125, 0.125}}) {
-        const auto check = [&, n = n, k = k, c = c](const auto& model, const std::string& name) {
+        const double n = at[0], k = at[1], c = at[2];
+        const auto check = [&](const auto& model, const std::string& name) {
             using d = dual<double, 2>;
             const d found = model(d::variable(n, 0), d::variable(k, 1), d::constant(c));
             const auto by_n = [&](const real50& x) { return model(x, real50(k), real50(c)); };

@@ -123,8 +123,8 @@ struct interval {
 
     friend interval operator-(const interval& x) { return between(-x.hi, -x.lo); }
     friend interval operator+(const interval& x, const interval& y) {
-        const double lo = x.lo + y.lo, hi = x.hi + y.hi;
-        return std::isnan(lo) || std::isnan(hi) ? entire() : rounded(lo, hi);
+        const double least = x.lo + y.lo, most = x.hi + y.hi;
+        return std::isnan(least) || std::isnan(most) ? entire() : rounded(least, most);
     }
     friend interval operator-(const interval& x, const interval& y) { return x + -y; }
     friend interval operator*(const interval& x, const interval& y) {
