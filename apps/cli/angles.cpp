@@ -44,10 +44,6 @@ media chosen_media(const options& given) {
     return {n_i, index.n, index.k};
 }
 
-nlohmann::json or_null(const std::optional<double>& value) {
-    return value ? nlohmann::json(*value) : nlohmann::json();
-}
-
 // The refracted ray; inside an absorbing medium, the direction in which its phase moves.
 std::optional<double> refracted_degrees(const media& m, double cos_i) {
     const double eta = m.n_t / m.n_i;

@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -52,6 +53,11 @@ void print_json(const nlohmann::json& value);
 
 /// Names and their values as a JSON object.
 nlohmann::json object(const std::vector<std::pair<std::string, double>>& values);
+
+/// A number, null where there is none.
+inline nlohmann::json or_null(const std::optional<double>& value) {
+    return value ? nlohmann::json(*value) : nlohmann::json();
+}
 
 /// Prints a line without the blanks at its end.
 void print_trimmed(std::string line);

@@ -70,10 +70,6 @@ void complete(options& given) {
     }
 }
 
-nlohmann::json or_null(const std::optional<double>& value) {
-    return value ? nlohmann::json(*value) : nlohmann::json();
-}
-
 // In so many digits, or "none".
 std::string in_digits(const std::optional<double>& value, int digits) {
     return value ? fmt::format("{:.{}g}", *value, digits) : "none";

@@ -39,7 +39,9 @@ rgb colour(std::string_view argument, const words& given, double most = 1) {
     return c;
 }
 
-nlohmann::json or_null(bool there, double value) { return there ? nlohmann::json(value) : nlohmann::json(); }
+nlohmann::json number_if(bool there, double value) {
+    return there ? nlohmann::json(value) : nlohmann::json();
+}
 
 std::string three(const rgb& c) { return fmt::format("{:.6g} {:.6g} {:.6g}", c[0], c[1], c[2]); }
 
@@ -67,13 +69,13 @@ nlohmann::json from_index(double n, double k, double ambient) {
             {"ambient", ambient},
             {"f0", f0},
             {"srgb8", encode_srgb8({f0, f0, f0})[0]},
-            {"other_n", or_null(clear, ambient * ambient / n)},
-            {"brewster", or_null(outer.brewster.has_value(), outer.brewster.value_or(0))},
+            {"other_n", number_if(clear, ambient * ambient / n)},
+            {"brewster", or_null(outer.brewster)},
             {"critical_inside",
-             or_null(clear && n > ambient, degrees_of_cosine(critical_cosine(std::min(ambient / n, 1.0))))},
-            {"disney_specular", or_null(disney_specular(f0) <= 1, disney_specular(f0))},
-            {"frostbite_reflectance", or_null(frostbite_reflectance(f0) <= 1, frostbite_reflectance(f0))},
-            {"gltf_ior", or_null(clear && n >= ambient, n / ambient)},
+             number_if(clear && n > ambient, degrees_of_cosine(critical_cosine(std::min(ambient / n, 1.0))))},
+            {"disney_specular", number_if(disney_specular(f0) <= 1, disney_specular(f0))},
+            {"frostbite_reflectance", number_if(frostbite_reflectance(f0) <= 1, frostbite_reflectance(f0))},
+            {"gltf_ior", number_if(clear && n >= ambient, n / ambient)},
             {"openpbr_specular_weight", openpbr_specular_weight(f0, 1.5)},
             {"residual", 0}};
 }
@@ -107,7 +109,8 @@ void run_f0(const f0_options& given) {
     double residual = 0;
     for (const double x : f0) {
         const double n = ambient * eta_from_f0(x);
-        outer.push_back(or_null(x < 1, n)), inner.push_back(or_null(x < 1, ambient * inner_eta_from_f0(x)));
+        outer.push_back(number_if(x < 1, n)),
+            inner.push_back(number_if(x < 1, ambient * inner_eta_from_f0(x)));
         if (x < 1) residual = std::max(residual, std::abs(normal_reflectance(ambient, n, 0.0) - x));
     }
     if (given.json)
@@ -151,7 +154,7 @@ nlohmann::json surface_json(const surface_colors& s) { return {{"f0", s.f0}, {"a
 
 nlohmann::json values_json(const metalness_law& law, const metalness_values& v) {
     nlohmann::json result = {{"law", law.name}, {"base", v.base}, {"metalness", v.metalness}};
-    result["specular"] = or_null(!law.specular_name.empty(), v.specular);
+    result["specular"] = number_if(!law.specular_name.empty(), v.specular);
     if (law.has_ior) result["ior"] = v.ior;
     return result;
 }

@@ -26,10 +26,6 @@ double cosine_integral(const std::vector<double>& cos_i, const std::vector<doubl
     return sum;
 }
 
-} // namespace
-
-namespace {
-
 // Raises the maxima to those over one more curve.
 void raise_maxima(curve_error& error, const std::vector<rgb>& model, const rgb_curve& exact) {
     for (std::size_t a = 0; a < model.size(); ++a) {

@@ -515,11 +515,17 @@ std::vector<material_sample> samples_of_all(const std::vector<material>& materia
     return all;
 }
 
+/// Whether it approximates what is seen from outside; of a row of the registry or of its table.
+template <class Row>
+constexpr bool is_fitted_from_outside(const Row& row) {
+    return row.kind != model_kind::exact && row.error.over != row::inside_gems;
+}
+
 /// What holds over these materials.
 template <std::size_t i>
 certificate over_these([[maybe_unused]] const std::vector<material>& materials) {
     static constexpr const auto& row = std::get<i>(registry);
-    if constexpr (row.kind == model_kind::exact || row.error.over == row::inside_gems) {
+    if constexpr (!is_fitted_from_outside(row)) {
         throw bad_input(fmt::format(
             "model '{}': must approximate what is seen from outside, to be fitted to a material", row.name));
     } else {
@@ -565,10 +571,7 @@ certificate prove(std::string_view model) {
     return certify_row(model, []<std::size_t i>() { return over_domain<i>(); });
 }
 
-bool can_fit(std::string_view model) {
-    const model_row<double>& row = find_model<double>(model);
-    return row.kind != model_kind::exact && row.error.over != row::inside_gems;
-}
+bool can_fit(std::string_view model) { return is_fitted_from_outside(find_model<double>(model)); }
 
 certificate prove(std::string_view model, const std::vector<material>& materials) {
     return certify_row(model, [&]<std::size_t i>() { return over_these<i>(materials); });

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <vector>
 
 namespace fresnel::conform {
@@ -18,13 +17,6 @@ namespace {
 constexpr std::array handed_on = {"in", "out", "varying", "attribute"};
 constexpr std::array beside = {"layout", "flat",  "smooth",   "noperspective",
                                "sample", "patch", "centroid", "invariant"};
-
-template <class List>
-bool holds(const List& list, std::string_view word) {
-    return std::ranges::find(list, word) != list.end();
-}
-
-bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 std::size_t word_end(std::string_view code, std::size_t at) {
     while (at < code.size() && is_word(code[at]))

@@ -16,14 +16,8 @@ constexpr std::array triples = {"vec3",        "float3", "half3",     "real3",  
 constexpr std::array qualifiers = {"in",     "const",  "highp",   "mediump",         "lowp",
                                    "static", "inline", "precise", "nointerpolation", "uniform"};
 
-template <class List>
-bool holds(const List& list, std::string_view word) {
-    return std::find(list.begin(), list.end(), word) != list.end();
-}
-
 int width_of(std::string_view type) { return holds(scalars, type) ? 1 : holds(triples, type) ? 3 : 0; }
 
-bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 bool is_space(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
 
 std::string trimmed(std::string_view text) {

@@ -1,10 +1,20 @@
 #pragma once
 
+#include <algorithm>
+#include <cctype>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace fresnel::conform {
+
+/// Whether a name may hold it.
+inline bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+template <class List>
+bool holds(const List& list, std::string_view word) {
+    return std::ranges::find(list, word) != std::ranges::end(list);
+}
 
 /// The text with comments and preprocessor lines as spaces, every character else where it was.
 std::string bare_code(std::string_view text);
