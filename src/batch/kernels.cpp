@@ -1,12 +1,13 @@
 // Every model of the registry on arrays, for one instruction set. Compiled once for each, with FRESNEL_ISA_NAMESPACE,
 // FRESNEL_ISA_LANES, FRESNEL_ISA_BATCHES (how many batches are computed side by side; FRESNEL_ISA_EXACT_BATCHES of the
 // exact models and a few more, FRESNEL_ISA_LONG_BATCHES of gulbrandsen, FRESNEL_ISA_POWER_BATCHES of those with pow,
-// FRESNEL_ISA_ANGLES in a spectral table) and FRESNEL_ISA_KERNELS (the name of its table) set. No function of the standard
-// library may be called here: see simd.hpp.
+// FRESNEL_ISA_ANGLES in a spectral table) and FRESNEL_ISA_KERNELS (the name of its table) set, and FRESNEL_ISA_IN_HALVES
+// where exact models are to be taken in two halves. No function of the standard library may be called here: see simd.hpp.
 
 #include "batch/kernels.hpp"
 
 #include <fresnel/models.hpp>
+#include <fresnel/types/halved.hpp>
 #include <fresnel/types/wide.hpp>
 
 namespace fresnel {
@@ -22,6 +23,7 @@ using single = batch<float, FRESNEL_ISA_LANES>;
 template <class Row>
 consteval int side_by_side(const Row& row) {
     if (row.name == "gulbrandsen") return FRESNEL_ISA_LONG_BATCHES;
+    if (row.name == "conductor_precise") return FRESNEL_ISA_BATCHES;
     if (row.kind == model_kind::exact || row.parameters.empty()) return FRESNEL_ISA_EXACT_BATCHES;
     if (row.name == "powers_3_6_9" || row.name == "spherical_gaussian") return FRESNEL_ISA_EXACT_BATCHES;
     for (const parameter& p : row.parameters)
@@ -34,6 +36,19 @@ consteval int side_by_side(const Row& row) {
 template <class Row>
 consteval int roots_by_products(const Row& row) {
     return row.name == "dielectric" || row.name == "dielectric_fast" || row.name == "schlick_internal";
+}
+
+/// Where a model is cut in two: the exact ones but the cheapest, where registers are few. What the second half takes over
+/// is by measurement; all else that it needs of the first, it computes again.
+template <class Row>
+consteval cut where_cut([[maybe_unused]] const Row& row) {
+#ifdef FRESNEL_ISA_IN_HALVES
+    if (row.name == "conductor") return {4, {"E", "Z", "t0", "A"}};
+    if (row.name == "conductor_fast") return {2, {"t0", "A"}};
+    if (row.name == "conductor_precise") return {4, {"E", "q2", "N", "A"}};
+    if (row.name == "dielectric") return {2, {"E", "g"}};
+#endif
+    return {};
 }
 
 /// How far ahead of its use memory is asked for an input: 1 KiB, by measurement.
@@ -54,108 +69,205 @@ enum class reach {
     fetched, ///< likewise, and memory is asked for the inputs, all arrays, before they are read
 };
 
-/// Runs f(inputs, outputs) over the arrays of a call, a value at a time. Where none of the inputs is a single value
-/// (`arrays`), their steps are known, which spares cheap models registers.
-template <class value, int inputs, int outputs, bool arrays, reach values, class F>
-FRESNEL_INLINE void loop(const kernel_call& call, F f) {
-    const float* in[inputs];
-    std::size_t steps[inputs];
-    float repeated[arrays ? 1 : inputs][value::size];
-    float* out[outputs];
-    for (int k = 0; k < inputs; ++k) {
-        const auto [data, stride] = call.inputs[k];
-        in[k] = data + call.begin * stride;
-        steps[k] = arrays || stride ? std::size_t{value::size} : 0;
-        if constexpr (!arrays)
-            if (stride == 0) {
-                value::broadcast(*data).store(repeated[k]);
-                in[k] = repeated[k];
-            }
-    }
-    for (int k = 0; k < outputs; ++k)
-        out[k] = call.outputs[k] + call.begin;
-
-    for (const float* const end = call.outputs[0] + call.end; out[0] != end;) {
-        value x[inputs], y[outputs];
+/// The arrays of a call, at the place its loop has reached. Where none of the inputs is a single value (`arrays`), their
+/// steps are known, which spares cheap models registers.
+template <class value, int inputs, int outputs, bool arrays, reach values>
+class place {
+public:
+    FRESNEL_INLINE explicit place(const kernel_call& call) : end_(call.outputs[0] + call.end) {
         for (int k = 0; k < inputs; ++k) {
-            if constexpr (values == reach::fetched)
-                for (int l = 0; l < value::size; l += 16) // a cache line has 16 values
-                    __builtin_prefetch(in[k] + values_ahead + l);
-            x[k] = value::load(in[k]);
-            in[k] += steps[k];
+            const auto [data, stride] = call.inputs[k];
+            in_[k] = data + call.begin * stride;
+            steps_[k] = arrays || stride ? std::size_t{value::size} : 0;
+            if constexpr (!arrays)
+                if (stride == 0) {
+                    value::broadcast(*data).store(repeated_[k]);
+                    in_[k] = repeated_[k];
+                }
         }
-        f(x, y);
+        for (int k = 0; k < outputs; ++k)
+            out_[k] = call.outputs[k] + call.begin;
+    }
+    place(const place&) = delete; // in_ may point into it
+
+    /// Whether exactly n are left, each of value::size values.
+    FRESNEL_INLINE bool left(int n) const { return out_[0] + n * value::size == end_; }
+    /// Reads the inputs of those n on from here.
+    FRESNEL_INLINE void load(value* x, int n = 0) const {
+        for (int k = 0; k < inputs; ++k)
+            x[k] = value::load(in_[k] + static_cast<std::size_t>(n) * steps_[k]);
+    }
+    /// Asks memory for inputs that will be read.
+    FRESNEL_INLINE void fetch(int n = 0) const {
+        if constexpr (values == reach::fetched)
+            for (int k = 0; k < inputs; ++k)
+                for (int l = 0; l < value::size; l += 16) // a cache line has 16 values
+                    __builtin_prefetch(in_[k] + n * value::size + values_ahead + l);
+    }
+    FRESNEL_INLINE void store(const value* y, int n = 0) const {
         for (int k = 0; k < outputs; ++k) {
             if constexpr (values == reach::caches)
-                y[k].store(out[k]);
+                y[k].store(out_[k] + n * value::size);
             else
-                y[k].store_past_caches(out[k]);
-            out[k] += value::size;
+                y[k].store_past_caches(out_[k] + n * value::size);
         }
     }
-    if constexpr (values != reach::caches) lanes::fence();
+    FRESNEL_INLINE void advance(int n) {
+        for (int k = 0; k < inputs; ++k)
+            in_[k] += static_cast<std::size_t>(n) * steps_[k];
+        for (int k = 0; k < outputs; ++k)
+            out_[k] += n * value::size;
+    }
+
+private:
+    const float* in_[inputs];
+    std::size_t steps_[inputs];
+    float repeated_[arrays ? 1 : inputs][value::size];
+    float* out_[outputs];
+    const float* end_;
+};
+
+/// How the loop of a call evaluates: f(inputs, outputs) for a value at a time.
+template <class value, class F>
+struct whole {
+    F f;
+
+    template <int inputs, int outputs, bool arrays, reach values>
+    FRESNEL_INLINE void loop(const kernel_call& call) const {
+        place<value, inputs, outputs, arrays, values> at(call);
+        while (!at.left(0)) {
+            value x[inputs], y[outputs];
+            at.fetch();
+            at.load(x);
+            f(x, y);
+            at.store(y);
+            at.advance(1);
+        }
+    }
+};
+
+/// A half of f(inputs, outputs), a model that is cut: the first leaves what it keeps, and no results.
+template <bool second, class Cut, class V, int inputs, int outputs, class F>
+FRESNEL_INLINE void take_half(const F& f, const V (&inputs_of)[inputs], kept_of<V, Cut>& kept,
+                              V (&results)[outputs]) {
+    using number = halved<V, Cut, second>;
+    kept_of<V, Cut> mine; // a place that nothing else can be at, so that it needs none in memory
+    if constexpr (second) mine = kept;
+    number x[inputs], y[outputs];
+    for (int k = 0; k < inputs; ++k)
+        x[k] = number(inputs_of[k], mine);
+    f(x, y);
+    if constexpr (!second) kept = mine;
+    if constexpr (second)
+        for (int k = 0; k < outputs; ++k)
+            results[k] = y[k].value();
 }
 
-template <class value, int inputs, int outputs, bool arrays = false, class F>
-FRESNEL_INLINE void run(const kernel_call& call, F f) {
-    if (!call.past_caches)
-        loop<value, inputs, outputs, arrays, reach::caches>(call, f);
-    else if (!arrays || !call.fetch_ahead)
-        loop<value, inputs, outputs, arrays, reach::memory>(call, f);
+/// Or f in two halves, the first for the next values before the second for these: of `batches` V in turn.
+template <class V, int batches, class Cut, class F>
+struct in_halves {
+    F f;
+
+    /// The half of f for those n on from here.
+    template <bool second, int inputs, int outputs, class Place>
+    FRESNEL_INLINE void take(const Place& at, int n, kept_of<V, Cut>& kept) const {
+        V x[inputs], y[outputs];
+        at.load(x, n);
+        take_half<second, Cut>(f, x, kept, y);
+        if constexpr (second) at.store(y, n);
+    }
+
+    template <int inputs, int outputs, bool arrays, reach values>
+    FRESNEL_INLINE void loop(const kernel_call& call) const {
+        place<V, inputs, outputs, arrays, values> at(call);
+        if (at.left(0)) return;
+        kept_of<V, Cut> these[batches];
+        each_of<batches>([&](int j) FRESNEL_INLINE_LAMBDA { take<false, inputs, outputs>(at, j, these[j]); });
+        while (!at.left(batches)) {
+            each_of<batches>([&](int j) FRESNEL_INLINE_LAMBDA {
+                kept_of<V, Cut> next;
+                at.fetch(batches + j);
+                take<false, inputs, outputs>(at, batches + j, next);
+                take<true, inputs, outputs>(at, j, these[j]);
+                these[j] = next;
+            });
+            at.advance(batches);
+        }
+        each_of<batches>([&](int j) FRESNEL_INLINE_LAMBDA { take<true, inputs, outputs>(at, j, these[j]); });
+    }
+};
+
+/// Runs the loop of a call.
+template <int inputs, int outputs, bool arrays = false, class Evaluation>
+FRESNEL_INLINE void run(const kernel_call& call, const Evaluation& evaluation) {
+    if (!call.past_caches) return evaluation.template loop<inputs, outputs, arrays, reach::caches>(call);
+    if (!arrays || !call.fetch_ahead)
+        evaluation.template loop<inputs, outputs, arrays, reach::memory>(call);
     else if constexpr (arrays)
-        loop<value, inputs, outputs, arrays, reach::fetched>(call, f);
+        evaluation.template loop<inputs, outputs, arrays, reach::fetched>(call);
+    lanes::fence();
 }
 
-/// The model in row i of the registry on `value`, a number type of several lanes.
-template <std::size_t i, class value>
+/// The model in row i of the registry.
+template <std::size_t i>
 struct row_at {
-    using number = value;
     static constexpr const auto& row = std::get<i>(registry);
     static constexpr int parameters = static_cast<int>(row.parameters.size());
     static constexpr bool polarised = row.kind == model_kind::exact;
+    static constexpr cut place = where_cut(row);
+    /// What it is computed with, and how many values are at a time.
+    using number = wide<single, side_by_side(row), roots_by_products(row)>;
+    static constexpr int size = number::size;
 
-    FRESNEL_INLINE static auto result(const value* x, const value& cos_i) {
+    template <class T>
+    FRESNEL_INLINE static auto result(const T* x, const T& cos_i) {
         return [&]<std::size_t... k>(std::index_sequence<k...>) {
             return row.evaluate(x[k]..., cos_i);
         }(std::make_index_sequence<static_cast<std::size_t>(parameters)>{});
     }
+    template <class F>
+    FRESNEL_INLINE static auto at_once(const F& f) {
+        return whole<number, F>{f};
+    }
+    template <class F>
+    FRESNEL_INLINE static auto arrays(const F& f) {
+        if constexpr (place.size > 0)
+            return in_halves<single, side_by_side(row), row_at, F>{f};
+        else
+            return at_once(f);
+    }
 };
 
-template <std::size_t i>
-using wide_row =
-    row_at<i, wide<single, side_by_side(std::get<i>(registry)), roots_by_products(std::get<i>(registry))>>;
-
-/// `run`, with the loop of those whose steps are known where they are.
-template <class value, int inputs, int outputs, class F>
-FRESNEL_INLINE void run_any(const kernel_call& call, F f) {
+/// Runs f over a call, with the loop of those whose steps are known where they are.
+template <std::size_t i, int inputs, int outputs, class F>
+FRESNEL_INLINE void run_any(const kernel_call& call, const F& f) {
     if (all_arrays<inputs>(call.inputs))
-        run<value, inputs, outputs, true>(call, f);
+        run<inputs, outputs, true>(call, row_at<i>::arrays(f));
     else
-        run<value, inputs, outputs>(call, f);
+        run<inputs, outputs>(call, row_at<i>::at_once(f));
 }
 
 /// Runs f(result, outputs) with what the model of a row gives. Where the medium outside is vacuum, n_i = 1 for all of
 /// a call, multiplications by it are left out, which changes no bit.
 template <std::size_t i, int outputs, class F>
 FRESNEL_INLINE void run_row(const kernel_call& call, F f) {
-    using row = wide_row<i>;
-    using value = typename row::number;
+    using row = row_at<i>;
     constexpr int n = row::parameters;
-    const auto evaluate = [&](const value* x, value* y) { f(row::result(x, x[n]), y); };
+    const auto evaluate = [=](const auto* x, auto* y) { f(row::result(x, x[n]), y); };
     if constexpr (!row::polarised) {
-        run_any<value, n + 1, outputs>(call, evaluate);
+        run_any<i, n + 1, outputs>(call, evaluate);
     } else if (call.inputs[0].stride == 0 && *call.inputs[0].data == 1) {
         kernel_call of_vacuum = call;
         ++of_vacuum.inputs;
-        run_any<value, n, outputs>(of_vacuum, [&](const value* x, value* y) {
-            value all[n + 1];
+        run_any<i, n, outputs>(of_vacuum, [=]<class T>(const T* x, T* y) {
+            T all[n + 1];
             all[0] = 1;
             for (int k = 0; k < n; ++k)
                 all[k + 1] = x[k];
             evaluate(all, y);
         });
     } else {
-        run<value, n + 1, outputs>(call, evaluate);
+        run<n + 1, outputs>(call, row::at_once(evaluate));
     }
 }
 
@@ -167,12 +279,13 @@ template <std::size_t i>
 /// The channels are independent of each other already: one batch of each.
 template <std::size_t i>
 [[gnu::flatten]] void rgb(const kernel_call& call) {
-    using row = row_at<i, single>;
+    using row = row_at<i>;
     constexpr int n = row::parameters;
-    run<single, 3 * n + 1, 3>(call, [](const single* x, single* y) {
+    const auto evaluate = [](const single* x, single* y) {
         for (int channel = 0; channel < 3; ++channel)
             y[channel] = reflectance(row::result(x + channel * n, x[3 * n]));
-    });
+    };
+    run<3 * n + 1, 3>(call, whole<single, decltype(evaluate)>{evaluate});
 }
 
 template <std::size_t i>
@@ -190,9 +303,9 @@ template <std::size_t i>
 
 template <std::size_t i>
 constexpr model_kernels kernels_of() {
-    constexpr std::size_t lanes = wide_row<i>::number::size;
+    constexpr std::size_t lanes = row_at<i>::size;
     static_assert(lanes <= most_lanes && (lanes & (lanes - 1)) == 0);
-    if constexpr (wide_row<i>::polarised)
+    if constexpr (row_at<i>::polarised)
         return {lanes, &reflectance<i>, &rgb<i>, &polarised<i>, &powers<i>};
     else
         return {lanes, &reflectance<i>, &rgb<i>, nullptr, nullptr};
@@ -208,21 +321,52 @@ struct table<std::index_sequence<i...>> {
 
 using every_model = table<std::make_index_sequence<std::tuple_size_v<decltype(registry)>>>;
 
-/// A spectral table, many angles at a time: they share what depends on the wavelength alone.
+struct spectral_cut {
+    static constexpr cut place{2, {"t0", "A"}};
+};
+
+/// A spectral table, many angles at a time, which share what depends on the wavelength alone: of each the first half for the
+/// next wavelength before the second for this.
 [[gnu::flatten]] void spectral(const spectral_call& call) {
-    using angles = wide<single, FRESNEL_ISA_ANGLES>;
-    const angles n_i = angles::broadcast(call.n_i);
-    for (std::size_t begin = 0; begin < call.angles; begin += angles::size) {
-        const angles cos_i = angles::load(call.cos_i + begin);
-        angles sum[3] = {0, 0, 0};
-        for (std::size_t i = 0; i < call.wavelengths; ++i) {
-            const angles n_t = angles::broadcast(call.n_t[i]), k_t = angles::broadcast(call.k_t[i]);
-            const angles R = conductor(n_i, n_t, k_t, cos_i).reflectance();
+    constexpr int batches = FRESNEL_ISA_ANGLES;
+    using kept_values = kept_of<single, spectral_cut>;
+    for (std::size_t begin = 0; begin < call.angles; begin += batches * single::size) {
+        single sum[batches][3];
+        kept_values these[batches];
+        const auto take = [&]<bool second>(std::size_t i, int j, kept_values& kept) FRESNEL_INLINE_LAMBDA {
+            using number = halved<single, spectral_cut, second>;
+            kept_values mine;
+            if constexpr (second) mine = kept;
+            const number n_i(single::broadcast(call.n_i), mine);
+            const number n_t(single::broadcast(call.n_t[i]), mine), k_t(single::broadcast(call.k_t[i]), mine);
+            const number cos_i(single::load(call.cos_i + begin + j * single::size), mine);
+            const single R = conductor(n_i, n_t, k_t, cos_i).reflectance().value();
+            if constexpr (!second) kept = mine;
+            return R;
+        };
+        const auto add = [&](std::size_t i, int j) FRESNEL_INLINE_LAMBDA {
+            const single R = take.template operator()<true>(i, j, these[j]);
             for (int channel = 0; channel < 3; ++channel)
-                sum[channel] = sum[channel] + angles::broadcast(call.weights[channel][i]) * R;
-        }
-        for (int channel = 0; channel < 3; ++channel)
-            sum[channel].store(call.rgb[channel] + begin);
+                sum[j][channel] = sum[j][channel] + single::broadcast(call.weights[channel][i]) * R;
+        };
+        each_of<batches>([&](int j) FRESNEL_INLINE_LAMBDA {
+            for (single& channel : sum[j])
+                channel = 0;
+            if (call.wavelengths > 0) take.template operator()<false>(0, j, these[j]);
+        });
+        std::size_t i = 0;
+        for (; i + 1 < call.wavelengths; ++i)
+            each_of<batches>([&](int j) FRESNEL_INLINE_LAMBDA {
+                kept_values next;
+                take.template operator()<false>(i + 1, j, next);
+                add(i, j);
+                these[j] = next;
+            });
+        if (call.wavelengths > 0) each_of<batches>([&](int j) FRESNEL_INLINE_LAMBDA { add(i, j); });
+        each_of<batches>([&](int j) FRESNEL_INLINE_LAMBDA {
+            for (int channel = 0; channel < 3; ++channel)
+                sum[j][channel].store(call.rgb[channel] + begin + j * single::size);
+        });
     }
 }
 

@@ -25,6 +25,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #ifndef FRESNEL_ISA_NAMESPACE
 #define FRESNEL_ISA_NAMESPACE isa_default
@@ -32,8 +33,10 @@
 
 #if defined(__GNUC__)
 #define FRESNEL_INLINE inline __attribute__((always_inline))
+#define FRESNEL_INLINE_LAMBDA __attribute__((always_inline))
 #else
 #define FRESNEL_INLINE inline
+#define FRESNEL_INLINE_LAMBDA
 #define FRESNEL_NO_VECTOR_EXTENSIONS
 #endif
 
@@ -50,6 +53,14 @@
 
 namespace fresnel {
 inline namespace FRESNEL_ISA_NAMESPACE {
+
+/// Calls f(0), f(1), ..., f(n - 1). Not a loop, which g++ would keep, and in memory what it runs over.
+template <int n, class F>
+FRESNEL_INLINE void each_of(F f) {
+    [&]<int... i>(std::integer_sequence<int, i...>)
+        FRESNEL_INLINE_LAMBDA { (f(i), ...); }(std::make_integer_sequence<int, n>{});
+}
+
 namespace lanes {
 
 // ---- storage: what the batch below is made of -------------------------------------------------------------

@@ -9,7 +9,6 @@
 #include <fresnel/types/simd.hpp>
 
 #include <limits>
-#include <utility>
 
 namespace fresnel {
 inline namespace FRESNEL_ISA_NAMESPACE {
@@ -68,14 +67,14 @@ public:
     /// K V::size values from memory, of any alignment.
     static FRESNEL_INLINE wide load(const float* from) {
         wide result;
-        for_parts([&](int i) { result.part_[i] = V::load(from + i * V::size); });
+        each_of<K>([&](int i) { result.part_[i] = V::load(from + i * V::size); });
         return result;
     }
     FRESNEL_INLINE void store(float* to) const {
-        for_parts([&](int i) { part_[i].store(to + i * V::size); });
+        each_of<K>([&](int i) { part_[i].store(to + i * V::size); });
     }
     FRESNEL_INLINE void store_past_caches(float* to) const {
-        for_parts([&](int i) { part_[i].store_past_caches(to + i * V::size); });
+        each_of<K>([&](int i) { part_[i].store_past_caches(to + i * V::size); });
     }
     FRESNEL_INLINE float operator[](int i) const { return part_[i / V::size][i % V::size]; }
 
@@ -103,7 +102,7 @@ public:
 
     friend FRESNEL_INLINE wide sqrt(const wide& x) {
         wide result;
-        for_parts([&](int i) {
+        each_of<K>([&](int i) {
             if constexpr (has_root_by_products<V>)
                 result.part_[i] = i < K - by_products ? sqrt(x.part_[i]) : root_by_products(x.part_[i]);
             else
@@ -119,13 +118,6 @@ public:
     }
 
 private:
-    /// Not a loop, which g++ would keep, and the parts in memory with it.
-    template <class F>
-    static FRESNEL_INLINE void for_parts(F f) {
-        [&]<int... i>(std::integer_sequence<int, i...>) {
-            (f(i), ...);
-        }(std::make_integer_sequence<int, K>{});
-    }
     FRESNEL_INLINE void copy(const wide& other) {
         for (int i = 0; i < K; ++i)
             part_[i] = other.part_[i];
