@@ -96,7 +96,7 @@ std::string message_of(const refusal& refused, quantity wanted, const batch_mode
 
 std::size_t choose_threads(std::size_t count, unsigned wanted) {
     constexpr std::size_t values_per_thread = 65536, most_per_processor = 4;
-    const std::size_t processors = std::max(std::thread::hardware_concurrency(), 1u);
+    static const std::size_t processors = std::max(std::thread::hardware_concurrency(), 1u);
     if (wanted == 0) return std::clamp<std::size_t>(count / values_per_thread, 1, processors);
     const std::size_t most = std::min<std::size_t>(wanted, most_per_processor * processors);
     return std::clamp<std::size_t>(count / most_lanes, 1, most);
