@@ -17,15 +17,16 @@ namespace {
 using single = batch<float, FRESNEL_ISA_LANES>;
 
 /// How many batches a model's kernel computes side by side: of the exact models, whose roots and divisions wait for each
-/// other, many, as of two more whose steps do, and of one so short that the loop around it counts; more of gulbrandsen,
-/// which takes two roots and ends in one of them; of others as many as the registers hold, which with the steps of pow
-/// are few.
+/// other, many, as of three more whose steps do, and of one so short that the loop around it counts; more of gulbrandsen,
+/// which takes two roots and ends in one of them; of conductor_precise, which has work besides, and of others as many as the
+/// registers hold, which with the steps of pow are few.
 template <class Row>
 consteval int side_by_side(const Row& row) {
     if (row.name == "gulbrandsen") return FRESNEL_ISA_LONG_BATCHES;
     if (row.name == "conductor_precise") return FRESNEL_ISA_BATCHES;
     if (row.kind == model_kind::exact || row.parameters.empty()) return FRESNEL_ISA_EXACT_BATCHES;
-    if (row.name == "powers_3_6_9" || row.name == "spherical_gaussian") return FRESNEL_ISA_EXACT_BATCHES;
+    for (const std::string_view name : {"powers_3_6_9", "schlick_internal", "spherical_gaussian"})
+        if (row.name == name) return FRESNEL_ISA_EXACT_BATCHES;
     for (const parameter& p : row.parameters)
         if (p.name == "power" || p.name == "alpha") return FRESNEL_ISA_POWER_BATCHES;
     return FRESNEL_ISA_BATCHES;
