@@ -70,19 +70,20 @@ enum class reach {
     fetched, ///< likewise, and memory is asked for the inputs, all arrays, before they are read
 };
 
-/// The arrays of a call, at the place its loop has reached. Where none of the inputs is a single value (`arrays`), their
-/// steps are known, which spares cheap models registers.
-template <class value, int inputs, int outputs, bool arrays, reach values>
+/// The arrays of a call, at the place its loop has reached, which goes `step` values on at a time and reads `ahead` of them.
+/// Where none of the inputs is a single value (`arrays`), their steps are known, which spares cheap models registers.
+template <class value, int step, int ahead, int inputs, int outputs, bool arrays, reach values>
 class place {
 public:
     FRESNEL_INLINE explicit place(const kernel_call& call) : end_(call.outputs[0] + call.end) {
         for (int k = 0; k < inputs; ++k) {
             const auto [data, stride] = call.inputs[k];
             in_[k] = data + call.begin * stride;
-            steps_[k] = arrays || stride ? std::size_t{value::size} : 0;
+            steps_[k] = arrays || stride ? std::size_t{step * value::size} : 0;
             if constexpr (!arrays)
                 if (stride == 0) {
-                    value::broadcast(*data).store(repeated_[k]);
+                    for (int n = 0; n < ahead; ++n)
+                        value::broadcast(*data).store(repeated_[k] + n * value::size);
                     in_[k] = repeated_[k];
                 }
         }
@@ -96,7 +97,7 @@ public:
     /// Reads the inputs of those n on from here.
     FRESNEL_INLINE void load(value* x, int n = 0) const {
         for (int k = 0; k < inputs; ++k)
-            x[k] = value::load(in_[k] + static_cast<std::size_t>(n) * steps_[k]);
+            x[k] = value::load(in_[k] + n * value::size);
     }
     /// Asks memory for inputs that will be read.
     FRESNEL_INLINE void fetch(int n = 0) const {
@@ -113,17 +114,17 @@ public:
                 y[k].store_past_caches(out_[k] + n * value::size);
         }
     }
-    FRESNEL_INLINE void advance(int n) {
+    FRESNEL_INLINE void advance() {
         for (int k = 0; k < inputs; ++k)
-            in_[k] += static_cast<std::size_t>(n) * steps_[k];
+            in_[k] += steps_[k];
         for (int k = 0; k < outputs; ++k)
-            out_[k] += n * value::size;
+            out_[k] += step * value::size;
     }
 
 private:
     const float* in_[inputs];
     std::size_t steps_[inputs];
-    float repeated_[arrays ? 1 : inputs][value::size];
+    float repeated_[arrays ? 1 : inputs][arrays ? 1 : ahead * value::size];
     float* out_[outputs];
     const float* end_;
 };
@@ -135,14 +136,14 @@ struct whole {
 
     template <int inputs, int outputs, bool arrays, reach values>
     FRESNEL_INLINE void loop(const kernel_call& call) const {
-        place<value, inputs, outputs, arrays, values> at(call);
+        place<value, 1, 1, inputs, outputs, arrays, values> at(call);
         while (!at.left(0)) {
             value x[inputs], y[outputs];
             at.fetch();
             at.load(x);
             f(x, y);
             at.store(y);
-            at.advance(1);
+            at.advance();
         }
     }
 };
@@ -152,7 +153,7 @@ template <bool second, class Cut, class V, int inputs, int outputs, class F>
 FRESNEL_INLINE void take_half(const F& f, const V (&inputs_of)[inputs], kept_of<V, Cut>& kept,
                               V (&results)[outputs]) {
     using number = halved<V, Cut, second>;
-    kept_of<V, Cut> mine; // a place that nothing else can be at, so that it needs none in memory
+    kept_of<V, Cut> mine; // known to nothing else, so that it stays in registers
     if constexpr (second) mine = kept;
     number x[inputs], y[outputs];
     for (int k = 0; k < inputs; ++k)
@@ -180,7 +181,7 @@ struct in_halves {
 
     template <int inputs, int outputs, bool arrays, reach values>
     FRESNEL_INLINE void loop(const kernel_call& call) const {
-        place<V, inputs, outputs, arrays, values> at(call);
+        place<V, batches, 2 * batches, inputs, outputs, arrays, values> at(call);
         if (at.left(0)) return;
         kept_of<V, Cut> these[batches];
         each_of<batches>([&](int j) FRESNEL_INLINE_LAMBDA { take<false, inputs, outputs>(at, j, these[j]); });
@@ -192,7 +193,7 @@ struct in_halves {
                 take<true, inputs, outputs>(at, j, these[j]);
                 these[j] = next;
             });
-            at.advance(batches);
+            at.advance();
         }
         each_of<batches>([&](int j) FRESNEL_INLINE_LAMBDA { take<true, inputs, outputs>(at, j, these[j]); });
     }
@@ -227,15 +228,11 @@ struct row_at {
         }(std::make_index_sequence<static_cast<std::size_t>(parameters)>{});
     }
     template <class F>
-    FRESNEL_INLINE static auto at_once(const F& f) {
-        return whole<number, F>{f};
-    }
-    template <class F>
-    FRESNEL_INLINE static auto arrays(const F& f) {
+    FRESNEL_INLINE static auto evaluation(const F& f) {
         if constexpr (place.size > 0)
             return in_halves<single, side_by_side(row), row_at, F>{f};
         else
-            return at_once(f);
+            return whole<number, F>{f};
     }
 };
 
@@ -243,9 +240,9 @@ struct row_at {
 template <std::size_t i, int inputs, int outputs, class F>
 FRESNEL_INLINE void run_any(const kernel_call& call, const F& f) {
     if (all_arrays<inputs>(call.inputs))
-        run<inputs, outputs, true>(call, row_at<i>::arrays(f));
+        run<inputs, outputs, true>(call, row_at<i>::evaluation(f));
     else
-        run<inputs, outputs>(call, row_at<i>::at_once(f));
+        run<inputs, outputs>(call, row_at<i>::evaluation(f));
 }
 
 /// Runs f(result, outputs) with what the model of a row gives. Where the medium outside is vacuum, n_i = 1 for all of
@@ -268,7 +265,7 @@ FRESNEL_INLINE void run_row(const kernel_call& call, F f) {
             evaluate(all, y);
         });
     } else {
-        run<n + 1, outputs>(call, row::at_once(evaluate));
+        run<n + 1, outputs>(call, row::evaluation(evaluate));
     }
 }
 
